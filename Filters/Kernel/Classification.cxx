@@ -1,0 +1,866 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Classification.h"
+
+#include "InsideCount.h"
+#include "ProbePlacement.h"
+#include "RadialOrder.h"
+#include "SheetSides.h"
+#include "WindingQuery.h"
+
+#include <algorithm>
+
+namespace sb
+{
+
+namespace
+{
+
+enum class FaceState : std::uint8_t
+{
+  Far,       ///< outside all other operands' boxes
+  Untouched, ///< near others, but no contact
+  Cut,       ///< its regions decide
+  Collapsed  ///< has no area and takes no part
+};
+
+/** What the two sides of a patch, met across a wedge, have to do with each other: their winding numbers are equal. */
+struct Relation
+{
+  std::int32_t PatchA;
+  std::int32_t PatchB;
+  bool BehindA; ///< which side of A it is
+  bool BehindB;
+
+  friend bool operator==(const Relation& l, const Relation& r)
+  {
+    return l.PatchA == r.PatchA && l.PatchB == r.PatchB && l.BehindA == r.BehindA &&
+      l.BehindB == r.BehindB;
+  }
+};
+
+struct Patch
+{
+  std::int32_t Operand;
+  std::int32_t Face;   ///< one of its faces
+  std::int32_t Region; ///< if that face is cut, one of its regions on it, else -1
+  bool FrontInside = false;
+  bool BehindInside = false;
+};
+
+/** A step of a walk through a tree of patches that comes by every patch once and takes back all changes on the way. */
+struct Step
+{
+  std::int32_t Patch; ///< entered, or -1 when going back
+  std::int32_t Raised;  ///< operand whose winding number goes up by one, or -1
+  std::int32_t Lowered; ///< operand whose winding number goes down by one, or -1
+};
+
+struct KnownWinding
+{
+  std::int32_t Operand;
+  int Value;
+};
+
+struct Tree
+{
+  std::size_t FirstStep;
+  std::size_t EndOfSteps;
+  std::int32_t Probed;                ///< the patch that queries are asked at
+  std::vector<KnownWinding> AtRoot;   ///< in front of the first patch, where not 0
+};
+
+class Classifier
+{
+public:
+  Classifier(const ClassificationInput& input, Executor& executor, Monitor& monitor)
+    : In(input)
+    , World(input.World)
+    , Cuts(input.Cuts)
+    , Threads(executor)
+    , Watch(monitor)
+    , NumberOfOperands(input.World.NumberOfOperands())
+  {
+    this->Result.SelfIntersecting = input.Cuts.SelfIntersecting;
+    this->Result.NonSeparating.assign(std::size_t(this->NumberOfOperands), 0);
+    for (std::int32_t operand = 0; operand < this->NumberOfOperands; ++operand)
+    {
+      if (input.Open[std::size_t(operand)])
+      {
+        this->OpenOperands.push_back(operand);
+      }
+    }
+  }
+
+  Classification Run()
+  {
+    this->MarkFaces();
+    this->JoinPatches();
+    this->ListPatches();
+    this->RelateAcrossContacts();
+    this->PlantTrees();
+    this->FindWindingsAtRoots();
+    if (!this->Watch.Aborted() && !this->MustStartAgain())
+    {
+      this->Evaluate();
+      this->DecideFaces();
+      this->DecideRegions();
+    }
+    return std::move(this->Result);
+  }
+
+private:
+  /** Whether an operand that was taken to be clean is not. */
+  bool MustStartAgain() const
+  {
+    for (std::size_t i = 0; i < this->Result.SelfIntersecting.size(); ++i)
+    {
+      if (this->Result.SelfIntersecting[i] && !this->In.Self[i] && !this->In.Open[i])
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // --- patches -----------------------------------------------------------------------------------------------------
+
+  /** The boxes of other operands that an operand's faces have to be looked at for; nothing if all faces have to be. */
+  std::vector<std::array<double, 6>> NearBoxes(std::int32_t operand) const
+  {
+    const auto meets = [](const std::array<double, 6>& a, const std::array<double, 6>& b)
+    {
+      return a[0] <= b[1] && b[0] <= a[1] && a[2] <= b[3] && b[2] <= a[3] && a[4] <= b[5] &&
+        b[4] <= a[5];
+    };
+    std::vector<std::array<double, 6>> boxes;
+    for (std::int32_t other = 0; other < this->NumberOfOperands; ++other)
+    {
+      if (other != operand && this->World.FirstFace(other) < this->World.FirstFace(other + 1) &&
+        meets(this->World.Bounds(operand), this->World.Bounds(other)))
+      {
+        boxes.push_back(this->World.Bounds(other));
+      }
+    }
+    constexpr std::size_t few = 4;
+    if (boxes.size() > few)
+    {
+      std::array<double, 6> hull = boxes.front();
+      for (const std::array<double, 6>& box : boxes)
+      {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          hull[2 * axis] = std::min(hull[2 * axis], box[2 * axis]);
+          hull[2 * axis + 1] = std::max(hull[2 * axis + 1], box[2 * axis + 1]);
+        }
+      }
+      boxes.assign(1, hull);
+    }
+    return boxes;
+  }
+
+  void MarkFaces()
+  {
+    this->States.resize(std::size_t(this->World.NumberOfFaces()));
+    // A sheet has no far side: its sign reaches everywhere.
+    const bool everywhere = !this->OpenOperands.empty();
+    for (std::int32_t operand = 0; operand < this->NumberOfOperands; ++operand)
+    {
+      const std::vector<std::array<double, 6>> boxes = this->NearBoxes(operand);
+      const std::int32_t first = this->World.FirstFace(operand);
+      this->Threads.For(this->World.FirstFace(operand + 1) - first, 1 << 14,
+        [&](std::int64_t begin, std::int64_t end)
+        {
+          for (std::int64_t i = begin; i < end; ++i)
+          {
+            const std::int32_t face = first + static_cast<std::int32_t>(i);
+            this->States[std::size_t(face)] = everywhere || this->MeetsAny(operand, face, boxes)
+              ? FaceState::Untouched
+              : FaceState::Far;
+          }
+        });
+    }
+    for (const CutFace& cut : this->Cuts.Faces)
+    {
+      this->States[std::size_t(cut.Face)] = FaceState::Cut;
+    }
+    for (std::size_t face = 0; face < this->In.Collapsed.size(); ++face)
+    {
+      if (this->In.Collapsed[face])
+      {
+        this->States[face] = FaceState::Collapsed;
+      }
+    }
+  }
+
+  bool MeetsAny(std::int32_t operand, std::int32_t face,
+    const std::vector<std::array<double, 6>>& boxes) const
+  {
+    const std::array<std::int32_t, 3> corners = this->World.Corners(operand, face);
+    const double* a = this->World.Position(corners[0]);
+    const double* b = this->World.Position(corners[1]);
+    const double* c = this->World.Position(corners[2]);
+    for (const std::array<double, 6>& box : boxes)
+    {
+      bool meets = true;
+      for (std::size_t axis = 0; axis < 3 && meets; ++axis)
+      {
+        meets = std::min({ a[axis], b[axis], c[axis] }) <= box[2 * axis + 1] &&
+          std::max({ a[axis], b[axis], c[axis] }) >= box[2 * axis];
+      }
+      if (meets)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  std::int32_t SetOfRegion(std::int32_t region) const
+  {
+    return this->World.NumberOfVertices() + region;
+  }
+
+  void JoinPatches()
+  {
+    this->Sets.Reset(
+      this->World.NumberOfVertices() + static_cast<std::int32_t>(this->Cuts.Regions.size()));
+    // Operands share no vertex, so their sets can be joined at the same time.
+    this->Threads.For(this->NumberOfOperands, 1,
+      [&](std::int64_t begin, std::int64_t end)
+      {
+        for (std::int64_t i = begin; i < end; ++i)
+        {
+          this->JoinUntouchedFaces(static_cast<std::int32_t>(i));
+        }
+      });
+    for (const Piece& piece : this->Cuts.Pieces)
+    {
+      for (const CornerRef corner : piece.Corners)
+      {
+        if (!IsNode(corner))
+        {
+          this->Sets.Unite(~corner, this->SetOfRegion(piece.Region));
+        }
+      }
+    }
+    this->GroupEdges();
+  }
+
+  void JoinUntouchedFaces(std::int32_t operand)
+  {
+    for (std::int32_t face = this->World.FirstFace(operand);
+         face < this->World.FirstFace(operand + 1); ++face)
+    {
+      if (this->States[std::size_t(face)] == FaceState::Untouched)
+      {
+        const std::array<std::int32_t, 3> corners = this->World.Corners(operand, face);
+        this->Sets.Unite(corners[0], corners[1]);
+        this->Sets.Unite(corners[0], corners[2]);
+      }
+    }
+  }
+
+  /** Free edges join the regions beside them; the others are contact edges. */
+  void GroupEdges()
+  {
+    const std::vector<EdgeUse>& uses = this->Cuts.EdgeUses;
+    for (std::size_t first = 0; first < uses.size();)
+    {
+      std::size_t end = first;
+      bool isContact = false;
+      while (end < uses.size() && uses[end].Low == uses[first].Low &&
+        uses[end].High == uses[first].High)
+      {
+        isContact = isContact || uses[end].IsContact;
+        ++end;
+      }
+      if (isContact || this->IsSingularEdge(first, end))
+      {
+        this->ContactEdges.push_back({ first, end });
+      }
+      else
+      {
+        for (std::size_t i = first + 1; i < end; ++i)
+        {
+          this->Sets.Unite(
+            this->SetOfRegion(uses[first].Region), this->SetOfRegion(uses[i].Region));
+        }
+      }
+      first = end;
+    }
+  }
+
+  /** Whether sides do not simply continue across a free edge: of an operand cut against itself, where it is not manifold. */
+  bool IsSingularEdge(std::size_t first, std::size_t end) const
+  {
+    const std::vector<EdgeUse>& uses = this->Cuts.EdgeUses;
+    return this->In.Self[std::size_t(this->OperandOfRegion(uses[first].Region))] &&
+      (end - first != 2 || uses[first].RunsUp == uses[first + 1].RunsUp);
+  }
+
+  std::int32_t OperandOfRegion(std::int32_t region) const
+  {
+    return this->World.OperandOfFace(this->Cuts.Regions[std::size_t(region)].Face);
+  }
+
+  void ListPatches()
+  {
+    this->PatchOfSet.assign(std::size_t(this->Sets.Size()), -1);
+    for (std::int32_t operand = 0; operand < this->NumberOfOperands; ++operand)
+    {
+      for (std::int32_t face = this->World.FirstFace(operand);
+           face < this->World.FirstFace(operand + 1); ++face)
+      {
+        if (this->States[std::size_t(face)] == FaceState::Untouched)
+        {
+          const std::int32_t set = this->Sets.Find(this->World.Corners(operand, face)[0]);
+          if (this->PatchOfSet[std::size_t(set)] < 0)
+          {
+            this->AddPatch(set, operand, face, -1);
+          }
+        }
+      }
+    }
+    for (std::size_t region = 0; region < this->Cuts.Regions.size(); ++region)
+    {
+      const auto id = static_cast<std::int32_t>(region);
+      const std::int32_t set = this->Sets.Find(this->SetOfRegion(id));
+      if (this->PatchOfSet[std::size_t(set)] < 0)
+      {
+        this->AddPatch(set, this->OperandOfRegion(id), this->Cuts.Regions[region].Face, id);
+      }
+    }
+  }
+
+  void AddPatch(std::int32_t set, std::int32_t operand, std::int32_t face, std::int32_t region)
+  {
+    this->PatchOfSet[std::size_t(set)] = static_cast<std::int32_t>(this->Patches.size());
+    this->Patches.push_back({ operand, face, region });
+  }
+
+  std::int32_t PatchOfRegion(std::int32_t region) const
+  {
+    return this->PatchOfSet[std::size_t(this->Sets.Root(this->SetOfRegion(region)))];
+  }
+
+  // --- relations ---------------------------------------------------------------------------------------------------
+
+  void RelateAcrossContacts()
+  {
+    constexpr std::int64_t edgesPerBatch = 512;
+    const auto numberOfEdges = static_cast<std::int64_t>(this->ContactEdges.size());
+    const std::int64_t numberOfBatches = (numberOfEdges + edgesPerBatch - 1) / edgesPerBatch;
+    std::vector<std::vector<Relation>> relations(static_cast<std::size_t>(numberOfBatches));
+    std::vector<std::vector<SheetVote>> votes(static_cast<std::size_t>(numberOfBatches));
+    this->Threads.For(numberOfBatches, 1,
+      [&](std::int64_t begin, std::int64_t end)
+      {
+        RadialOrder order(this->World, this->Cuts.Nodes);
+        for (std::int64_t batch = begin; batch < end; ++batch)
+        {
+          const std::int64_t stop = std::min(numberOfEdges, (batch + 1) * edgesPerBatch);
+          for (std::int64_t i = batch * edgesPerBatch; i < stop && !this->Watch.Aborted(); ++i)
+          {
+            this->RelateAround(this->ContactEdges[std::size_t(i)], order,
+              relations[std::size_t(batch)], votes[std::size_t(batch)]);
+          }
+        }
+      });
+
+    DisjointSets connected(static_cast<std::int32_t>(this->Patches.size()));
+    for (const std::vector<Relation>& batch : relations)
+    {
+      for (const Relation& relation : batch)
+      {
+        if (connected.Unite(relation.PatchA, relation.PatchB))
+        {
+          this->Forest.push_back(relation);
+        }
+      }
+    }
+    for (const std::vector<SheetVote>& batch : votes)
+    {
+      this->Votes.insert(this->Votes.end(), batch.begin(), batch.end());
+    }
+    this->Sides = CountVotes(std::move(this->Votes), this->Result.NonSeparating);
+  }
+
+  void RelateAround(const std::pair<std::size_t, std::size_t>& edge, RadialOrder& order,
+    std::vector<Relation>& relations, std::vector<SheetVote>& votes) const
+  {
+    const std::vector<EdgeUse>& uses = this->Cuts.EdgeUses;
+    std::vector<HalfPlane> pieces;
+    for (std::size_t i = edge.first; i < edge.second; ++i)
+    {
+      pieces.push_back(
+        { uses[i].Region, this->Cuts.Regions[std::size_t(uses[i].Region)].Face, uses[i].RunsUp });
+    }
+    if (pieces.size() < 2)
+    {
+      return; // the rim of a sheet in free space
+    }
+    order.Sort(uses[edge.first].Low, uses[edge.first].High, pieces);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+    {
+      const HalfPlane& here = pieces[i];
+      const HalfPlane& next = pieces[(i + 1) % pieces.size()];
+      const Relation relation{ this->PatchOfRegion(here.Region), this->PatchOfRegion(next.Region),
+        !here.RunsUp, next.RunsUp };
+      if (relations.empty() || !(relations.back() == relation))
+      {
+        relations.push_back(relation);
+      }
+    }
+    if (!this->OpenOperands.empty())
+    {
+      std::vector<PieceAtEdge> seen;
+      for (const HalfPlane& piece : pieces)
+      {
+        const std::int32_t patch = this->PatchOfRegion(piece.Region);
+        seen.push_back({ patch, this->Patches[std::size_t(patch)].Operand, piece.RunsUp });
+      }
+      Vote(this->OpenOperands, seen, order, votes);
+    }
+  }
+
+  // --- winding numbers ---------------------------------------------------------------------------------------------
+
+  bool IsOpen(std::int32_t operand) const { return this->In.Open[std::size_t(operand)] != 0; }
+  bool IsSelf(std::int32_t operand) const { return this->In.Self[std::size_t(operand)] != 0; }
+
+  void PlantTrees()
+  {
+    // Neighbours in the forest, as ranges of one array.
+    std::vector<std::size_t> firstLink(this->Patches.size() + 1, 0);
+    for (const Relation& relation : this->Forest)
+    {
+      ++firstLink[std::size_t(relation.PatchA) + 1];
+      ++firstLink[std::size_t(relation.PatchB) + 1];
+    }
+    for (std::size_t i = 1; i < firstLink.size(); ++i)
+    {
+      firstLink[i] += firstLink[i - 1];
+    }
+    std::vector<Relation> links(2 * this->Forest.size());
+    std::vector<std::size_t> next(firstLink.begin(), firstLink.end() - 1);
+    for (const Relation& relation : this->Forest)
+    {
+      links[next[std::size_t(relation.PatchA)]++] = relation;
+      links[next[std::size_t(relation.PatchB)]++] = { relation.PatchB, relation.PatchA,
+        relation.BehindB, relation.BehindA };
+    }
+    next.assign(firstLink.begin(), firstLink.end() - 1);
+
+    std::vector<std::uint8_t> planted(this->Patches.size(), 0);
+    std::vector<std::pair<std::int32_t, Step>> path; // the patch, and the step that takes its entering back
+    for (std::size_t root = 0; root < this->Patches.size(); ++root)
+    {
+      if (planted[root])
+      {
+        continue;
+      }
+      Tree tree{ this->Steps.size(), 0, static_cast<std::int32_t>(root), {} };
+      planted[root] = 1;
+      this->Steps.push_back({ static_cast<std::int32_t>(root), -1, -1 });
+      path.assign(1, { static_cast<std::int32_t>(root), { -1, -1, -1 } });
+      while (!path.empty())
+      {
+        const auto here = std::size_t(path.back().first);
+        if (next[here] == firstLink[here + 1])
+        {
+          this->Steps.push_back(path.back().second);
+          path.pop_back();
+          continue;
+        }
+        const Relation& link = links[next[here]++];
+        if (planted[std::size_t(link.PatchB)])
+        {
+          continue;
+        }
+        planted[std::size_t(link.PatchB)] = 1;
+        // In front of B: what is in front of A, one more if the sides meet behind A, one less if behind B.
+        const std::int32_t up = link.BehindA ? this->Patches[here].Operand : -1;
+        const std::int32_t down =
+          link.BehindB ? this->Patches[std::size_t(link.PatchB)].Operand : -1;
+        this->Steps.push_back({ link.PatchB, up, down });
+        path.push_back({ link.PatchB, { -1, down, up } });
+      }
+      tree.EndOfSteps = this->Steps.size();
+      this->Trees.push_back(tree);
+    }
+  }
+
+  template <class OnEnter>
+  void Walk(const Tree& tree, std::vector<int>& relative, OnEnter&& onEnter) const
+  {
+    for (std::size_t i = tree.FirstStep; i < tree.EndOfSteps; ++i)
+    {
+      const Step& step = this->Steps[i];
+      if (step.Raised >= 0)
+      {
+        ++relative[std::size_t(step.Raised)];
+      }
+      if (step.Lowered >= 0)
+      {
+        --relative[std::size_t(step.Lowered)];
+      }
+      if (step.Patch >= 0)
+      {
+        onEnter(step.Patch);
+      }
+    }
+  }
+
+  /** A question to the operand about the winding number at the root of a tree. */
+  struct Question
+  {
+    std::size_t Tree;
+    std::int32_t Operand;
+    int RelativeAtProbe; ///< winding number in front of the probed patch, less that at the root
+  };
+
+  void FindWindingsAtRoots()
+  {
+    std::vector<int> relative(std::size_t(this->NumberOfOperands), 0);
+    std::vector<std::int32_t> lastSeen(std::size_t(this->NumberOfOperands), -1);
+    std::vector<int> atRoot(std::size_t(this->NumberOfOperands), 0);
+    std::vector<Question> questions;
+    for (std::size_t t = 0; t < this->Trees.size(); ++t)
+    {
+      Tree& tree = this->Trees[t];
+      const auto stamp = static_cast<std::int32_t>(t);
+      std::vector<Question> own;
+      bool probeIsWhole = this->Patches[std::size_t(tree.Probed)].Region < 0;
+      std::vector<int> relativeAtProbe(relative);
+      this->Walk(tree, relative,
+        [&](std::int32_t p)
+        {
+          const Patch& patch = this->Patches[std::size_t(p)];
+          const auto operand = std::size_t(patch.Operand);
+          if (!probeIsWhole && patch.Region < 0)
+          {
+            // A face that nothing touches is the safest place to ask at.
+            probeIsWhole = true;
+            tree.Probed = p;
+            relativeAtProbe = relative;
+          }
+          if (this->IsOpen(patch.Operand))
+          {
+            return;
+          }
+          if (lastSeen[operand] != stamp)
+          {
+            lastSeen[operand] = stamp;
+            atRoot[operand] = -relative[operand];
+            if (!this->IsSelf(patch.Operand))
+            {
+              if (atRoot[operand] != 0)
+              {
+                tree.AtRoot.push_back({ patch.Operand, atRoot[operand] });
+              }
+            }
+            else
+            {
+              own.push_back({ t, patch.Operand, 0 });
+            }
+          }
+          else if (!this->IsSelf(patch.Operand) && atRoot[operand] != -relative[operand])
+          {
+            this->Result.SelfIntersecting[operand] = 1;
+          }
+        });
+      for (Question& question : own)
+      {
+        question.RelativeAtProbe = relativeAtProbe[std::size_t(question.Operand)];
+        questions.push_back(question);
+      }
+      for (std::int32_t operand = 0; operand < this->NumberOfOperands; ++operand)
+      {
+        if (lastSeen[std::size_t(operand)] != stamp && !this->IsOpen(operand) &&
+          this->MayBeInside(this->Patches[std::size_t(tree.Probed)].Face, operand))
+        {
+          questions.push_back({ t, operand, 0 });
+        }
+      }
+    }
+    this->Ask(questions);
+  }
+
+  /** Whether all corners of a face are inside the box of an operand. */
+  bool MayBeInside(std::int32_t face, std::int32_t operand) const
+  {
+    if (this->World.FirstFace(operand) == this->World.FirstFace(operand + 1))
+    {
+      return false;
+    }
+    const std::array<double, 6>& box = this->World.Bounds(operand);
+    for (const std::int32_t corner : this->World.Corners(face))
+    {
+      const double* p = this->World.Position(corner);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        if (p[axis] < box[2 * axis] || p[axis] > box[2 * axis + 1])
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  void Ask(std::vector<Question> questions)
+  {
+    const ProbePlacement placement(this->World, this->Cuts);
+    for (int attempt = 0; !questions.empty() && !this->Watch.Aborted(); ++attempt)
+    {
+      std::vector<WindingQuery> queries;
+      for (const Question& question : questions)
+      {
+        const Patch& patch =
+          this->Patches[std::size_t(this->Trees[question.Tree].Probed)];
+        queries.push_back({ placement.Place(patch.Face, patch.Region, attempt), question.Operand, 0,
+          false });
+      }
+      AnswerQueries(this->World, this->In.Collapsed, queries, this->Threads);
+      std::vector<Question> again;
+      for (std::size_t i = 0; i < questions.size(); ++i)
+      {
+        const Question& question = questions[i];
+        if (queries[i].Degenerate)
+        {
+          again.push_back(question);
+          continue;
+        }
+        const Probe& line = queries[i].Line;
+        const Patch& patch = this->Patches[std::size_t(this->Trees[question.Tree].Probed)];
+        const bool frontIsUp = placement.NormalSign(line.Face) > 0;
+        const int inFront = queries[i].Winding -
+          (!frontIsUp && patch.Operand == question.Operand ? 1 : 0);
+        const int atRoot = inFront - question.RelativeAtProbe;
+        if (atRoot != 0)
+        {
+          this->Trees[question.Tree].AtRoot.push_back({ question.Operand, atRoot });
+        }
+      }
+      questions = std::move(again);
+    }
+  }
+
+  // --- decisions ---------------------------------------------------------------------------------------------------
+
+  void Evaluate()
+  {
+    InsideCount count(this->World, this->In.Op);
+    const DistanceSign distance(this->World);
+    for (const Tree& tree : this->Trees)
+    {
+      for (const KnownWinding& known : tree.AtRoot)
+      {
+        count.Add(known.Operand, known.Value);
+      }
+      for (std::size_t i = tree.FirstStep; i < tree.EndOfSteps; ++i)
+      {
+        const Step& step = this->Steps[i];
+        if (step.Raised >= 0 && !this->IsOpen(step.Raised))
+        {
+          count.Add(step.Raised, 1);
+        }
+        if (step.Lowered >= 0 && !this->IsOpen(step.Lowered))
+        {
+          count.Add(step.Lowered, -1);
+        }
+        if (step.Patch >= 0)
+        {
+          this->EvaluatePatch(step.Patch, count, distance);
+        }
+      }
+      for (const KnownWinding& known : tree.AtRoot)
+      {
+        count.Add(known.Operand, -known.Value);
+      }
+    }
+  }
+
+  void EvaluatePatch(std::int32_t p, InsideCount& count, const DistanceSign& distance)
+  {
+    Patch& patch = this->Patches[std::size_t(p)];
+    if (count.NumberOfMultiple() > 0)
+    {
+      for (std::int32_t operand = 0; operand < this->NumberOfOperands; ++operand)
+      {
+        if (operand != patch.Operand && !this->IsSelf(operand) && count.IsMultiple(operand))
+        {
+          this->Result.SelfIntersecting[std::size_t(operand)] = 1;
+        }
+      }
+    }
+    // Sheets stand in for this patch only.
+    std::vector<std::int32_t> behindSheets;
+    for (const std::int32_t sheet : this->OpenOperands)
+    {
+      if (sheet != patch.Operand && !this->Result.NonSeparating[std::size_t(sheet)] &&
+        this->IsBehind(p, sheet, distance))
+      {
+        behindSheets.push_back(sheet);
+        count.Add(sheet, 1);
+      }
+    }
+    patch.FrontInside = count.IsInside();
+    count.Add(patch.Operand, 1);
+    patch.BehindInside = count.IsInside();
+    count.Add(patch.Operand, -1);
+    if (this->Result.NonSeparating[std::size_t(patch.Operand)] &&
+      this->World.Side(patch.Operand) == Group::Tool)
+    {
+      patch.BehindInside = patch.FrontInside;
+    }
+    for (const std::int32_t sheet : behindSheets)
+    {
+      count.Add(sheet, -1);
+    }
+  }
+
+  bool IsBehind(std::int32_t patch, std::int32_t sheet, const DistanceSign& distance) const
+  {
+    const int side = this->Sides.Find(patch, sheet);
+    return side >= 0 ? side == 1
+                     : distance.IsBehind(this->Patches[std::size_t(patch)].Face, sheet);
+  }
+
+  static Fate Decide(bool frontInside, bool behindInside)
+  {
+    return frontInside == behindInside ? Fate::Dropped
+      : behindInside                   ? Fate::Kept
+                                       : Fate::KeptReversed;
+  }
+
+  void DecideFaces()
+  {
+    this->Result.Fates.resize(std::size_t(this->NumberOfOperands));
+    for (std::int32_t operand = 0; operand < this->NumberOfOperands; ++operand)
+    {
+      InsideCount count(this->World, this->In.Op);
+      const bool outside = count.IsInside();
+      count.Add(operand, 1);
+      const Fate far = Decide(outside, count.IsInside());
+      const std::int32_t first = this->World.FirstFace(operand);
+      std::vector<Fate>& fates = this->Result.Fates[std::size_t(operand)];
+      fates.resize(std::size_t(this->World.FirstFace(operand + 1) - first));
+      this->Threads.For(static_cast<std::int64_t>(fates.size()), 1 << 14,
+        [&](std::int64_t begin, std::int64_t end)
+        {
+          for (std::int64_t i = begin; i < end; ++i)
+          {
+            fates[std::size_t(i)] =
+              this->DecideFace(operand, first + static_cast<std::int32_t>(i), far);
+          }
+        });
+    }
+  }
+
+  Fate DecideFace(std::int32_t operand, std::int32_t face, Fate far) const
+  {
+    switch (this->States[std::size_t(face)])
+    {
+      case FaceState::Far:
+        return far;
+      case FaceState::Cut:
+        return Fate::Split;
+      case FaceState::Untouched:
+      {
+        const std::int32_t set = this->Sets.Root(this->World.Corners(operand, face)[0]);
+        const Patch& patch = this->Patches[std::size_t(this->PatchOfSet[std::size_t(set)])];
+        return Decide(patch.FrontInside, patch.BehindInside);
+      }
+      case FaceState::Collapsed:
+        break;
+    }
+    return Fate::Dropped;
+  }
+
+  void DecideRegions()
+  {
+    const std::vector<Region>& regions = this->Cuts.Regions;
+    this->Result.RegionFates.resize(regions.size());
+    std::vector<std::vector<std::int32_t>> stacks(std::size_t(this->Cuts.NumberOfStacks));
+    for (std::size_t i = 0; i < regions.size(); ++i)
+    {
+      const auto region = static_cast<std::int32_t>(i);
+      const Patch& patch = this->Patches[std::size_t(this->PatchOfRegion(region))];
+      this->Result.RegionFates[i] = Decide(patch.FrontInside, patch.BehindInside);
+      if (regions[i].Stack >= 0)
+      {
+        stacks[std::size_t(regions[i].Stack)].push_back(region);
+      }
+    }
+    for (const std::vector<std::int32_t>& stack : stacks)
+    {
+      this->DecideStack(stack);
+    }
+  }
+
+  /** Regions of one stack, lowest layer first (RadialOrder.h): by face id. */
+  void DecideStack(const std::vector<std::int32_t>& stack)
+  {
+    const auto side = [this](std::int32_t region, bool upper)
+    {
+      const Patch& patch = this->Patches[std::size_t(this->PatchOfRegion(region))];
+      return this->FacesUp(region) == upper ? patch.FrontInside : patch.BehindInside;
+    };
+    const bool below = side(stack.front(), false);
+    const bool above = side(stack.back(), true);
+    for (const std::int32_t region : stack)
+    {
+      this->Result.RegionFates[std::size_t(region)] = Fate::Dropped;
+    }
+    if (below == above)
+    {
+      return;
+    }
+    // The first that faces outwards as it is; failing that, the first.
+    const auto chosen = std::find_if(stack.begin(), stack.end(),
+      [&](std::int32_t region) { return this->FacesUp(region) == below; });
+    const std::int32_t region = chosen != stack.end() ? *chosen : stack.front();
+    this->Result.RegionFates[std::size_t(region)] =
+      chosen != stack.end() ? Fate::Kept : Fate::KeptReversed;
+  }
+
+  bool FacesUp(std::int32_t region) const
+  {
+    const std::array<std::int32_t, 3> corners =
+      this->World.Corners(this->Cuts.Regions[std::size_t(region)].Face);
+    return ComputeDominantNormal(this->World.Position(corners[0]),
+             this->World.Position(corners[1]), this->World.Position(corners[2]))
+             .Sign > 0;
+  }
+
+  const ClassificationInput& In;
+  const Scene& World;
+  const Arrangement& Cuts;
+  Executor& Threads;
+  Monitor& Watch;
+  const std::int32_t NumberOfOperands;
+  std::vector<std::int32_t> OpenOperands;
+
+  std::vector<FaceState> States;
+  DisjointSets Sets; ///< over vertices, then regions
+  std::vector<std::pair<std::size_t, std::size_t>> ContactEdges; ///< ranges of edge uses
+  std::vector<std::int32_t> PatchOfSet;
+  std::vector<Patch> Patches;
+  std::vector<Relation> Forest;
+  std::vector<SheetVote> Votes;
+  SheetSides Sides;
+  std::vector<Step> Steps;
+  std::vector<Tree> Trees;
+  Classification Result;
+};
+
+} // namespace
+
+Classification Classify(const ClassificationInput& input, Executor& executor, Monitor& monitor)
+{
+  return Classifier(input, executor, monitor).Run();
+}
+
+} // namespace sb

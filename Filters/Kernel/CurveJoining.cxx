@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CurveJoining.h"
+
+#include "OutputAssembly.h"
+
+#include <algorithm>
+
+namespace sb
+{
+
+namespace
+{
+
+struct Segment
+{
+  NodeId Ends[2];
+  Curves::Makers Makers;
+};
+
+/** One end of a segment, to find the segments at a node. */
+struct EndOfSegment
+{
+  NodeId Node;
+  std::int32_t Segment;
+
+  friend bool operator<(const EndOfSegment& l, const EndOfSegment& r)
+  {
+    return l.Node != r.Node ? l.Node < r.Node : l.Segment < r.Segment;
+  }
+};
+
+class Joiner
+{
+public:
+  Joiner(const Scene& scene, const Arrangement& cuts)
+    : World(scene)
+    , Cuts(cuts)
+  {
+  }
+
+  Curves Run()
+  {
+    this->CollectSegments();
+    this->Taken.assign(this->Segments.size(), 0);
+    this->Result.Offsets.push_back(0);
+    // Open curves and those between branch points first; what remains are closed loops.
+    for (const bool loops : { false, true })
+    {
+      for (const EndOfSegment& end : this->Ends)
+      {
+        if (!this->Taken[std::size_t(end.Segment)] && (loops || this->Degree(end.Node) != 2))
+        {
+          this->Trace(end);
+        }
+      }
+    }
+    return std::move(this->Result);
+  }
+
+private:
+  void CollectSegments()
+  {
+    const std::vector<EdgeUse>& uses = this->Cuts.EdgeUses;
+    for (std::size_t first = 0; first < uses.size();)
+    {
+      std::size_t end = first;
+      bool isContact = false;
+      while (end < uses.size() && uses[end].Low == uses[first].Low &&
+        uses[end].High == uses[first].High)
+      {
+        isContact = isContact || uses[end].IsContact;
+        ++end;
+      }
+      if (isContact && this->SurfacesPart(first, end))
+      {
+        this->Segments.push_back(
+          { { uses[first].Low, uses[first].High }, this->MakersOf(first, end) });
+      }
+      first = end;
+    }
+    for (std::size_t i = 0; i < this->Segments.size(); ++i)
+    {
+      for (const NodeId node : this->Segments[i].Ends)
+      {
+        this->Ends.push_back({ node, static_cast<std::int32_t>(i) });
+      }
+    }
+    std::sort(this->Ends.begin(), this->Ends.end());
+  }
+
+  std::int32_t FaceOf(const EdgeUse& use) const
+  {
+    return this->Cuts.Regions[std::size_t(use.Region)].Face;
+  }
+
+  /** Not so where all surfaces at the edge coincide on both of its sides. */
+  bool SurfacesPart(std::size_t first, std::size_t end) const
+  {
+    std::vector<std::pair<std::int32_t, std::int32_t>> stacks; // operand, stack
+    for (std::size_t i = first; i < end; ++i)
+    {
+      const EdgeUse& use = this->Cuts.EdgeUses[i];
+      const std::int32_t stack = this->Cuts.Regions[std::size_t(use.Region)].Stack;
+      if (stack < 0)
+      {
+        return true;
+      }
+      stacks.emplace_back(this->World.OperandOfFace(this->FaceOf(use)), stack);
+    }
+    std::sort(stacks.begin(), stacks.end());
+    stacks.erase(std::unique(stacks.begin(), stacks.end()), stacks.end());
+    const auto stacksOf = [&](std::int32_t operand)
+    {
+      std::vector<std::int32_t> result;
+      for (const auto& entry : stacks)
+      {
+        if (entry.first == operand)
+        {
+          result.push_back(entry.second);
+        }
+      }
+      return result;
+    };
+    const std::vector<std::int32_t> ofFirst = stacksOf(stacks.front().first);
+    return std::any_of(stacks.begin(), stacks.end(),
+      [&](const auto& entry) { return stacksOf(entry.first) != ofFirst; });
+  }
+
+  /** The first face at the edge, and the first one of another operand, or failing that another face. */
+  Curves::Makers MakersOf(std::size_t first, std::size_t end) const
+  {
+    const std::int32_t a = this->FaceOf(this->Cuts.EdgeUses[first]);
+    const std::int32_t operandA = this->World.OperandOfFace(a);
+    std::int32_t b = a;
+    for (std::size_t i = first; i < end; ++i)
+    {
+      const std::int32_t face = this->FaceOf(this->Cuts.EdgeUses[i]);
+      if (this->World.OperandOfFace(face) != operandA)
+      {
+        b = face;
+        break;
+      }
+      b = b == a ? face : b;
+    }
+    const std::int32_t operandB = this->World.OperandOfFace(b);
+    return { { operandA, operandB },
+      { a - this->World.FirstFace(operandA), b - this->World.FirstFace(operandB) } };
+  }
+
+  std::pair<std::vector<EndOfSegment>::const_iterator, std::vector<EndOfSegment>::const_iterator>
+  EndsAt(NodeId node) const
+  {
+    return { std::lower_bound(this->Ends.begin(), this->Ends.end(), EndOfSegment{ node, -1 }),
+      std::lower_bound(this->Ends.begin(), this->Ends.end(), EndOfSegment{ node + 1, -1 }) };
+  }
+
+  std::ptrdiff_t Degree(NodeId node) const
+  {
+    const auto [begin, end] = this->EndsAt(node);
+    return end - begin;
+  }
+
+  std::int32_t PointOf(NodeId node)
+  {
+    if (this->PointOfNode.empty())
+    {
+      this->PointOfNode.assign(std::size_t(this->Cuts.Nodes.Size()), -1);
+    }
+    std::int32_t& point = this->PointOfNode[std::size_t(node)];
+    if (point < 0)
+    {
+      point = static_cast<std::int32_t>(this->Result.Points.size());
+      this->Result.Points.push_back(PlaceOfNode(this->World, this->Cuts.Nodes, node));
+    }
+    return point;
+  }
+
+  void Trace(const EndOfSegment& start)
+  {
+    NodeId node = start.Node;
+    std::int32_t segment = start.Segment;
+    this->Result.Connectivity.push_back(this->PointOf(node));
+    while (segment >= 0)
+    {
+      const Segment& here = this->Segments[std::size_t(segment)];
+      this->Taken[std::size_t(segment)] = 1;
+      this->Result.Segments.push_back(here.Makers);
+      node = here.Ends[0] == node ? here.Ends[1] : here.Ends[0];
+      this->Result.Connectivity.push_back(this->PointOf(node));
+      segment = -1;
+      if (this->Degree(node) == 2)
+      {
+        const auto [begin, end] = this->EndsAt(node);
+        for (auto it = begin; it != end; ++it)
+        {
+          if (!this->Taken[std::size_t(it->Segment)])
+          {
+            segment = it->Segment;
+          }
+        }
+      }
+    }
+    this->Result.Offsets.push_back(static_cast<std::int32_t>(this->Result.Connectivity.size()));
+  }
+
+  const Scene& World;
+  const Arrangement& Cuts;
+  std::vector<Segment> Segments;
+  std::vector<EndOfSegment> Ends;
+  std::vector<std::uint8_t> Taken;
+  std::vector<std::int32_t> PointOfNode;
+  Curves Result;
+};
+
+} // namespace
+
+Curves JoinCurves(const Scene& scene, const Arrangement& cuts)
+{
+  return Joiner(scene, cuts).Run();
+}
+
+} // namespace sb
