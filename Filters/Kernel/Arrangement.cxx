@@ -208,11 +208,16 @@ private:
     for (const std::size_t i : this->InsertionOrder())
     {
       PointOnFace& point = this->OnFace[i];
-      point.Vertex = this->Mesh.Insert(&this->Table.Point(point.Node));
+      const ExactPoint& place = this->Table.Point(point.Node);
+      point.Vertex = IsEdge(point.Where) && this->Order.size() <= few
+        ? this->Mesh.InsertOnEdge(&place, point.Where - 3)
+        : this->Mesh.Insert(&place);
       this->NodeOfLocal.push_back(point.Node);
       this->WhereOfLocal.push_back(point.Where);
     }
   }
+
+  static constexpr std::size_t few = 16;
 
   /** All points but the corners; many of them along a space-filling curve, so that each is found near the one before. */
   const std::vector<std::size_t>& InsertionOrder()
@@ -225,7 +230,7 @@ private:
         this->Order.push_back(i);
       }
     }
-    if (this->Order.size() > 16)
+    if (this->Order.size() > few)
     {
       const int u = (this->Normal.Axis + 1) % 3;
       const int v = (this->Normal.Axis + 2) % 3;

@@ -86,7 +86,7 @@ public:
       }
     }
     // Operands that turn out to overlap themselves where it matters are cut against themselves in another round.
-    while (!this->Attempt(scene, ingested.Open, self) && !this->Watch.Aborted())
+    while (!this->Attempt(scene, ingested, self) && !this->Watch.Aborted())
     {
     }
     return this->Finish();
@@ -94,8 +94,7 @@ public:
 
 private:
   /** @return whether the result is final; else `self` has grown. */
-  bool Attempt(const Scene& scene, const std::vector<std::uint8_t>& open,
-    std::vector<std::uint8_t>& self)
+  bool Attempt(const Scene& scene, const Ingested& ingested, std::vector<std::uint8_t>& self)
   {
     const std::vector<TrianglePair> pairs = this->Timed("Near pairs", 0.15,
       [&] { return this->FindPairs(scene, self); });
@@ -118,18 +117,19 @@ private:
     Classification classes = this->Timed("Winding numbers", 0.7,
       [&]
       {
-        return Classify({ scene, cuts, this->Request.Op, self, open, collapsed },
+        return Classify(
+          { scene, cuts, this->Request.Op, self, ingested.Open, ingested.Rims, collapsed },
           this->Threads, this->Watch);
       });
     if (this->Watch.Aborted())
     {
       return true;
     }
-    if (this->GrowSelf(classes.SelfIntersecting, open, self))
+    if (this->GrowSelf(classes.SelfIntersecting, ingested.Open, self))
     {
       return false;
     }
-    for (std::size_t i = 0; i < open.size(); ++i)
+    for (std::size_t i = 0; i < classes.NonSeparating.size(); ++i)
     {
       if (classes.NonSeparating[i])
       {

@@ -44,6 +44,7 @@ struct Patch
   std::int32_t Operand;
   std::int32_t Face;   ///< one of its faces
   std::int32_t Region; ///< if that face is cut, one of its regions on it, else -1
+  bool HasRim = false; ///< a sheet ends here
   bool FrontInside = false;
   bool BehindInside = false;
 };
@@ -97,12 +98,16 @@ public:
     this->MarkFaces();
     this->JoinPatches();
     this->ListPatches();
+    this->MarkRims();
     this->RelateAcrossContacts();
     this->PlantTrees();
     this->FindWindingsAtRoots();
     if (!this->Watch.Aborted() && !this->MustStartAgain())
     {
-      this->Evaluate();
+      // A sheet found not to divide what it runs through counts otherwise from the start.
+      while (this->Evaluate())
+      {
+      }
       this->DecideFaces();
       this->DecideRegions();
     }
@@ -309,15 +314,13 @@ private:
     this->PatchOfSet.assign(std::size_t(this->Sets.Size()), -1);
     for (std::int32_t operand = 0; operand < this->NumberOfOperands; ++operand)
     {
-      for (std::int32_t face = this->World.FirstFace(operand);
-           face < this->World.FirstFace(operand + 1); ++face)
+      for (const std::vector<SetAndFace>& block : this->ListSets(operand))
       {
-        if (this->States[std::size_t(face)] == FaceState::Untouched)
+        for (const SetAndFace& entry : block)
         {
-          const std::int32_t set = this->Sets.Find(this->World.Corners(operand, face)[0]);
-          if (this->PatchOfSet[std::size_t(set)] < 0)
+          if (this->PatchOfSet[std::size_t(entry.Set)] < 0)
           {
-            this->AddPatch(set, operand, face, -1);
+            this->AddPatch(entry.Set, operand, entry.Face, -1);
           }
         }
       }
@@ -333,6 +336,45 @@ private:
     }
   }
 
+  struct SetAndFace
+  {
+    std::int32_t Set;
+    std::int32_t Face;
+  };
+
+  /** The sets that an operand's untouched faces are in, block by block, each with a face: repeated only where the set changes
+   *  from one face to the next. */
+  std::vector<std::vector<SetAndFace>> ListSets(std::int32_t operand) const
+  {
+    constexpr std::int64_t blockSize = 1 << 14;
+    const std::int32_t firstFace = this->World.FirstFace(operand);
+    const std::int64_t count = this->World.FirstFace(operand + 1) - firstFace;
+    std::vector<std::vector<SetAndFace>> blocks(
+      static_cast<std::size_t>((count + blockSize - 1) / blockSize));
+    this->Threads.For(static_cast<std::int64_t>(blocks.size()), 1,
+      [&](std::int64_t begin, std::int64_t end)
+      {
+        for (std::int64_t block = begin; block < end; ++block)
+        {
+          std::vector<SetAndFace>& list = blocks[std::size_t(block)];
+          const std::int64_t stop = std::min(count, (block + 1) * blockSize);
+          for (std::int64_t i = block * blockSize; i < stop; ++i)
+          {
+            const std::int32_t face = firstFace + static_cast<std::int32_t>(i);
+            if (this->States[std::size_t(face)] == FaceState::Untouched)
+            {
+              const std::int32_t set = this->Sets.Root(this->World.Corners(operand, face)[0]);
+              if (list.empty() || list.back().Set != set)
+              {
+                list.push_back({ set, face });
+              }
+            }
+          }
+        }
+      });
+    return blocks;
+  }
+
   void AddPatch(std::int32_t set, std::int32_t operand, std::int32_t face, std::int32_t region)
   {
     this->PatchOfSet[std::size_t(set)] = static_cast<std::int32_t>(this->Patches.size());
@@ -342,6 +384,44 @@ private:
   std::int32_t PatchOfRegion(std::int32_t region) const
   {
     return this->PatchOfSet[std::size_t(this->Sets.Root(this->SetOfRegion(region)))];
+  }
+
+  void MarkRims()
+  {
+    for (const std::int32_t sheet : this->OpenOperands)
+    {
+      for (const RimEdge& rim : this->In.Rims[std::size_t(sheet)])
+      {
+        const std::int32_t face = this->World.FirstFace(sheet) + rim.Triangle;
+        if (this->States[std::size_t(face)] == FaceState::Untouched)
+        {
+          const std::int32_t set = this->Sets.Find(this->World.Corners(sheet, face)[0]);
+          this->Patches[std::size_t(this->PatchOfSet[std::size_t(set)])].HasRim = true;
+        }
+        else if (this->States[std::size_t(face)] == FaceState::Cut)
+        {
+          this->MarkRimOfCutFace(face, rim.Edge);
+        }
+      }
+    }
+  }
+
+  void MarkRimOfCutFace(std::int32_t face, std::int32_t edge)
+  {
+    const auto isOnEdge = [&](Location where)
+    { return where == 3 + edge || where == edge || where == (edge + 1) % 3; };
+    const auto cut = std::lower_bound(this->Cuts.Faces.begin(), this->Cuts.Faces.end(), face,
+      [](const CutFace& l, std::int32_t r) { return l.Face < r; });
+    const std::int32_t end =
+      this->Cuts.EndOfPieces(std::size_t(cut - this->Cuts.Faces.begin()));
+    for (std::int32_t i = cut->FirstPiece; i < end; ++i)
+    {
+      const Piece& piece = this->Cuts.Pieces[std::size_t(i)];
+      if (std::count_if(piece.Where.begin(), piece.Where.end(), isOnEdge) >= 2)
+      {
+        this->Patches[std::size_t(this->PatchOfRegion(piece.Region))].HasRim = true;
+      }
+    }
   }
 
   // --- relations ---------------------------------------------------------------------------------------------------
@@ -649,8 +729,10 @@ private:
 
   // --- decisions ---------------------------------------------------------------------------------------------------
 
-  void Evaluate()
+  /** @return whether a sheet was found not to separate. */
+  bool Evaluate()
   {
+    const std::vector<std::uint8_t> before = this->Result.NonSeparating;
     InsideCount count(this->World, this->In.Op);
     const DistanceSign distance(this->World);
     for (const Tree& tree : this->Trees)
@@ -680,6 +762,7 @@ private:
         count.Add(known.Operand, -known.Value);
       }
     }
+    return this->Result.NonSeparating != before;
   }
 
   void EvaluatePatch(std::int32_t p, InsideCount& count, const DistanceSign& distance)
@@ -694,6 +777,10 @@ private:
           this->Result.SelfIntersecting[std::size_t(operand)] = 1;
         }
       }
+    }
+    if (patch.HasRim && count.IsInsideOtherGroup(patch.Operand))
+    {
+      this->Result.NonSeparating[std::size_t(patch.Operand)] = 1;
     }
     // Sheets stand in for this patch only.
     std::vector<std::int32_t> behindSheets;

@@ -23,7 +23,8 @@
  * other surfaces and are passed on as they are, which leaves the set of inner points right.
  *
  * Open operands (sheets) have no winding number. Their front is outside and their back is inside, where they meet
- * another surface; elsewhere the sign of the distance to them decides (Quammen, Weigle and Taylor 2011, section 4).
+ * another surface; elsewhere the sign of the distance to them decides (Quammen, Weigle and Taylor 2011, section 4). A sheet
+ * whose rim runs inside a closed operand of the other group does not divide it: such a sheet has no inside.
  */
 #ifndef sb_Classification_h
 #define sb_Classification_h
@@ -31,6 +32,7 @@
 #include "Arrangement.h"
 #include "Boolean.h"
 #include "DisjointSets.h"
+#include "Ingest.h"
 #include "Scene.h"
 
 #include <cstdint>
@@ -46,6 +48,7 @@ struct ClassificationInput
   Operation Op;
   const std::vector<std::uint8_t>& Self;      ///< operands that were cut against themselves
   const std::vector<std::uint8_t>& Open;      ///< operands that are sheets
+  const std::vector<std::vector<RimEdge>>& Rims;///< [operand] of the sheets
   const std::vector<std::uint8_t>& Collapsed; ///< faces without area that take no part; empty if there are none
 };
 

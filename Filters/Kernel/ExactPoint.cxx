@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ExactPoint.cxx
- * @brief How created points are made, rounded and fingerprinted, and their predicates in integers of fixed width.
+ * @brief How created points are made, rounded and fingerprinted, and their predicates in integers
+ * of fixed width.
  */
 #include "ExactPoint.h"
 
@@ -55,7 +56,8 @@ double PowerOfTwo(int exponent)
   return power;
 }
 
-/** A positive integer as (High + Low) * 2^Exponent, good to 2^-105 of it; 2^52 <= High < 2^53, 0 <= Low < 1. */
+/** A positive integer as (High + Low) * 2^Exponent, good to 2^-105 of it; 2^52 <= High < 2^53, 0 <=
+ * Low < 1. */
 struct DoubleDouble
 {
   double High;
@@ -72,7 +74,8 @@ DoubleDouble LeadingDoubles(const WideInteger<Size>& value)
     static_cast<double>(static_cast<std::int64_t>(low)) / 9007199254740992.0, bits.Exponent + 75 };
 }
 
-/** numerator - quotient * denominator, where quotient is their rounded quotient: then it is exact. */
+/** numerator - quotient * denominator, where quotient is their rounded quotient: then it is exact.
+ */
 double Remainder(double numerator, double quotient, double denominator)
 {
 #ifdef FP_FAST_FMA
@@ -93,8 +96,8 @@ double Remainder(double numerator, double quotient, double denominator)
 }
 
 /**
- * Whether numerator / denominator is above (+1), below (-1) or at (0) the midpoint between the positive double `below`
- * times 2^exponent and the next one.
+ * Whether numerator / denominator is above (+1), below (-1) or at (0) the midpoint between the
+ * positive double `below` times 2^exponent and the next one.
  */
 template <int Size>
 int CompareWithMidpoint(const WideInteger<Size>& numerator, const WideInteger<Size>& denominator,
@@ -103,8 +106,9 @@ int CompareWithMidpoint(const WideInteger<Size>& numerator, const WideInteger<Si
   int binade = 0;
   const double mantissa = std::frexp(below, &binade);
   const std::int64_t twice = 2 * static_cast<std::int64_t>(mantissa * 9007199254740992.0) + 1;
-  // The midpoint is twice * 2^shift. It is close to the quotient, so each of the two products that are compared is
-  // close to the other; the one without the shift, and hence both, fits one more word.
+  // The midpoint is twice * 2^shift. It is close to the quotient, so each of the two products that
+  // are compared is close to the other; the one without the shift, and hence both, fits one more
+  // word.
   const int shift = binade + exponent - 54;
   const WideInteger<Size + 1> left = numerator;
   const WideInteger<Size + 1> right = Multiply(denominator, WideInteger<1>(twice));
@@ -112,8 +116,9 @@ int CompareWithMidpoint(const WideInteger<Size>& numerator, const WideInteger<Si
 }
 
 /**
- * The double nearest to numerator / denominator, ties to even; denominator > 0, `divisor` its leading doubles.
- * Nothing overflows or becomes subnormal: the quotient is 0 or between 2^-324 and 2^378 in magnitude.
+ * The double nearest to numerator / denominator, ties to even; denominator > 0, `divisor` its
+ * leading doubles. Nothing overflows or becomes subnormal: the quotient is 0 or between 2^-324 and
+ * 2^378 in magnitude.
  */
 template <int Size>
 double RoundedQuotient(const WideInteger<Size>& numerator, const WideInteger<Size>& denominator,
@@ -133,8 +138,9 @@ double RoundedQuotient(const WideInteger<Size>& numerator, const WideInteger<Siz
   const double tail = second - (rounded - first);
   const int exponent = dividend.Exponent - divisor.Exponent;
 
-  // The leading doubles are good to 2^-104 in the quotient; what the above adds to that stays below 2^-101. As in
-  // A. Ziv's strategy (1991), the quotient is decided where both ends of that interval round to the same double.
+  // The leading doubles are good to 2^-104 in the quotient; what the above adds to that stays below
+  // 2^-101. As in A. Ziv's strategy (1991), the quotient is decided where both ends of that
+  // interval round to the same double.
   const double error = rounded * (1.0 / 633825300114114700748351602688.0); // 2^-99
   if (rounded + (tail + error) != rounded || rounded + (tail - error) != rounded)
   {
@@ -151,9 +157,10 @@ double RoundedQuotient(const WideInteger<Size>& numerator, const WideInteger<Siz
 }
 
 /**
- * A point modulo a prime: homogeneous coordinates W, X, Y, Z up to a factor, once a power of the prime that all of them
- * share is taken off. Leading is the first that is not zero then; divided by it, they are the point's alone and not
- * those of a construction. That it is not W is rare, but a matter of the input only.
+ * A point modulo a prime: homogeneous coordinates W, X, Y, Z up to a factor, once a power of the
+ * prime that all of them share is taken off. Leading is the first that is not zero then; divided by
+ * it, they are the point's alone and not those of a construction. That it is not W is rare, but a
+ * matter of the input only.
  */
 template <class Field>
 struct PointResidue
@@ -202,8 +209,8 @@ struct PointResidue
     std::uint64_t hash = this->Coordinate[0] == 0 ? 1 : 0;
     for (int i = 1; i < 4; ++i)
     {
-      hash = Mix(
-        hash + Field::Multiply(this->Coordinate[i], inverseOfLeading) + 0x9e3779b97f4a7c15u);
+      hash =
+        Mix(hash + Field::Multiply(this->Coordinate[i], inverseOfLeading) + 0x9e3779b97f4a7c15u);
     }
     return hash;
   }
@@ -231,8 +238,9 @@ struct Projected
 };
 
 /**
- * The 3 x 3 determinant of the homogeneous coordinates, which is that of the differences times the denominators:
- * six monomials, 3 + 2 * 215 + 162 = 595 bits of 768 for Size 4, 3 + 2 * 378 + 324 = 1083 bits of 1152 for Size 6.
+ * The 3 x 3 determinant of the homogeneous coordinates, which is that of the differences times the
+ * denominators: six monomials, 3 + 2 * 215 + 162 = 595 bits of 768 for Size 4, 3 + 2 * 378 + 324 =
+ * 1083 bits of 1152 for Size 6.
  */
 template <int Size>
 int HomogeneousOrient2D(
@@ -247,15 +255,15 @@ int HomogeneousOrient2D(
   return determinant.Sign();
 }
 
-/** As HomogeneousOrient2D, with s for c: 2 + 2 * 378 + 8 and 2 + 378 + 324 + 60 bits at most, 768 of 832. */
+/** As HomogeneousOrient2D, with s for c: 2 + 2 * 378 + 8 and 2 + 378 + 324 + 60 bits at most, 768
+ * of 832. */
 template <int Size>
 int HomogeneousOrient2DRefined(
   const ExactPoint& pointA, const ExactPoint& pointB, const std::int64_t s[2], int axis)
 {
   const Projected<Size> a(pointA, axis);
   const Projected<Size> b(pointB, axis);
-  const auto determinant =
-    Multiply(Multiply(a.U, b.V) - Multiply(b.U, a.V), WideInteger<1>(256)) +
+  const auto determinant = Multiply(Multiply(a.U, b.V) - Multiply(b.U, a.V), WideInteger<1>(256)) +
     Multiply(Multiply(a.V, b.W) - Multiply(b.V, a.W), WideInteger<1>(s[0])) +
     Multiply(Multiply(b.U, a.W) - Multiply(a.U, b.W), WideInteger<1>(s[1]));
   return determinant.Sign();
@@ -265,10 +273,10 @@ int HomogeneousOrient2DRefined(
 template <int Size>
 int HomogeneousCompareAlong(const ExactPoint& a, const ExactPoint& b, int axis)
 {
-  return Multiply(b.GetNumerator(axis).template Narrow<Size>(),
-    a.GetDenominator().template Narrow<Size>())
-    .Compare(Multiply(a.GetNumerator(axis).template Narrow<Size>(),
-      b.GetDenominator().template Narrow<Size>()));
+  return Multiply(
+    b.GetNumerator(axis).template Narrow<Size>(), a.GetDenominator().template Narrow<Size>())
+    .Compare(Multiply(
+      a.GetNumerator(axis).template Narrow<Size>(), b.GetDenominator().template Narrow<Size>()));
 }
 
 /** 256 times the height of a plane at s, as Numerator / Denominator. */
@@ -308,14 +316,14 @@ ExactPlane ExactPlane::Vertical(const double* s, const double* t, int axis)
   ExactPlane plane;
   plane.Normal[u] = -Component(dv);
   plane.Normal[v] = Component(du);
-  plane.Offset = Multiply(du, Difference::FromIntegral(s[v])) -
-    Multiply(dv, Difference::FromIntegral(s[u]));
+  plane.Offset =
+    Multiply(du, Difference::FromIntegral(s[v])) - Multiply(dv, Difference::FromIntegral(s[u]));
   return plane;
 }
 
 ExactPoint::ExactPoint()
-  : Approximate{ std::numeric_limits<double>::quiet_NaN(),
-    std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN() }
+  : Approximate{ std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
+    std::numeric_limits<double>::quiet_NaN() }
   , Width(6)
 {
 }
@@ -410,9 +418,9 @@ ExactPoint ExactPoint::ThreePlanes(const ExactPlane& p, const ExactPlane& q, con
   for (int axis = 0; axis < 3; ++axis)
   {
     // 378 bits and a sign, in 384.
-    numerator[axis] = (Multiply(p.Offset, qr[axis]) + Multiply(q.Offset, rp[axis]) +
-      Multiply(r.Offset, pq[axis]))
-                        .Narrow<6>();
+    numerator[axis] =
+      (Multiply(p.Offset, qr[axis]) + Multiply(q.Offset, rp[axis]) + Multiply(r.Offset, pq[axis]))
+        .Narrow<6>();
   }
   return FromHomogeneous<6>(numerator, Dot(p.Normal, qr));
 }
@@ -431,7 +439,8 @@ bool ExactPoint::IsIntegral() const
       return false;
     }
     const std::int64_t integer = static_cast<std::int64_t>(approximate);
-    // Below 2^53 every integer is a double, so that an integral coordinate is its own approximation.
+    // Below 2^53 every integer is a double, so that an integral coordinate is its own
+    // approximation.
     if (static_cast<double>(integer) != approximate ||
       Multiply(this->Denominator, WideInteger<1>(integer)) != WideInteger<7>(this->Numerator[axis]))
     {
@@ -485,8 +494,8 @@ int CompareHeights(
   const Height ofT(T, s, axis);
   const Height ofG(G, s, axis);
   // Cross multiplication by two denominators of either sign; 277 bits of 320.
-  const int comparison = Multiply(ofT.Numerator, ofG.Denominator)
-                           .Compare(Multiply(ofG.Numerator, ofT.Denominator));
+  const int comparison =
+    Multiply(ofT.Numerator, ofG.Denominator).Compare(Multiply(ofG.Numerator, ofT.Denominator));
   return comparison * ofT.Denominator.Sign() * ofG.Denominator.Sign();
 }
 

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ExactPoint.h
- * @brief Points that are created where surfaces cross, held as exact rationals, and the predicates on them.
+ * @brief Points that are created where surfaces cross, held as exact rationals, and the predicates
+ * on them.
  *
- * A point is X/W, Y/W, Z/W in lattice units with integers X, Y, Z and W > 0. Nothing is rounded, so it does not matter
- * by which construction a point is reached: equal points compare equal, round to the same doubles and have the same
- * fingerprint. The bits needed, with lattice coordinates of B = 52 bits (magnitudes; a sign comes on top):
+ * A point is X/W, Y/W, Z/W in lattice units with integers X, Y, Z and W > 0. Nothing is rounded, so
+ * it does not matter by which construction a point is reached: equal points compare equal, round to
+ * the same doubles and have the same fingerprint. The bits needed, with lattice coordinates of B =
+ * 52 bits (magnitudes; a sign comes on top):
  *
  * | value                                | bits                                   |
  * | ------------------------------------ | -------------------------------------- |
@@ -37,16 +39,16 @@ namespace sb
 struct ExactPlane
 {
   WideInteger<2> Normal[3]; ///< components below 2^107
-  WideInteger<3> Offset;    ///< below 2^161
+  WideInteger<3> Offset; ///< below 2^161
 
   /** The plane of a triangle, its front where the right-hand normal points. */
   static ExactPlane Through(const double* a, const double* b, const double* c);
 
-  /** The plane that contains the line st and is parallel to `axis`; its front is where Orient2D(s, t, p, axis) > 0. */
+  /** The plane of the line st that is parallel to `axis`, front where Orient2D(s, t, p, axis) > 0. */
   static ExactPlane Vertical(const double* s, const double* t, int axis);
 };
 
-/** Trivially copyable, 224 bytes. A default-constructed one is no point: its approximation is NaN. */
+/** Trivially copyable, 224 bytes. A default-constructed one is no point: it is NaN, NaN, NaN. */
 class ExactPoint
 {
 public:
@@ -60,8 +62,8 @@ public:
     const double* u, const double* v, const double* a, const double* b, const double* c);
 
   /**
-   * The point of the line uv where it meets the line st, both in one plane; in the projection that drops `axis` they
-   * must not be parallel.
+   * The point of the line uv where it meets the line st, both in one plane; in the projection that
+   * drops `axis` they must not be parallel.
    */
   static ExactPoint LineLine(
     const double* u, const double* v, const double* s, const double* t, int axis);
@@ -73,8 +75,9 @@ public:
   bool Exists() const { return !this->Denominator.IsZero(); }
 
   /**
-   * In lattice units, shape (3); each coordinate is the double nearest to the exact one, the even one of two, and
-   * hence the same however the point was constructed, and monotone in the exact coordinate.
+   * In lattice units, shape (3); each coordinate is the double nearest to the exact one, the even
+   * one of two, and hence the same however the point was constructed, and monotone in the exact
+   * coordinate.
    */
   const double* Approximation() const { return this->Approximate; }
 
@@ -82,21 +85,22 @@ public:
   bool IsIntegral() const;
 
   /**
-   * Equal for equal points; for different ones with a probability of about 2^-120. Made of the residues of the
-   * coordinates modulo two primes, hence independent of the construction, too.
+   * Equal for equal points; for different ones with a probability of about 2^-120. Made of the
+   * residues of the coordinates modulo two primes, hence independent of the construction, too.
    */
   std::array<std::uint64_t, 2> Fingerprint() const;
 
-  /** Coordinate = Numerator / Denominator, the denominator positive; not necessarily in lowest terms. */
+  /** Coordinate = Numerator / Denominator, not always in lowest terms; the denominator is positive. */
   const WideInteger<6>& GetNumerator(int axis) const { return this->Numerator[axis]; }
   const WideInteger<6>& GetDenominator() const { return this->Denominator; }
 
-  /** How many words suffice for the numerators and the denominator: 1 (then the denominator is 1), 4 or 6. */
+  /** How many words the numerators and the denominator need: 1 (then that is 1), 4 or 6. */
   int GetWidth() const { return this->Width; }
 
 private:
   template <int Size>
-  static ExactPoint FromHomogeneous(const WideInteger<Size> numerator[3], const WideInteger<Size>& denominator);
+  static ExactPoint FromHomogeneous(
+    const WideInteger<Size> numerator[3], const WideInteger<Size>& denominator);
   static ExactPoint Between(const double* u, const double* v, const WideInteger<3>& heightOfU,
     const WideInteger<3>& heightOfV);
 
@@ -122,9 +126,10 @@ constexpr int Undecided = 2;
 
 /**
  * The sign of (b - a) x (c - a) where each coordinate is known to half an ulp, or Undecided.
- * With u = 2^-53 and |coordinate| <= m, a difference d of two is off by at most 2 u m of the coordinates and u |d| of
- * its own rounding, so by 4 u m at most; 5 u m covers the second order. The product of two differences d and d' is then
- * off by |d| 5 u m' + |d'| 5 u m + 25 u^2 m m' and by its own rounding.
+ * With u = 2^-53 and |coordinate| <= m, a difference d of two is off by at most 2 u m of the
+ * coordinates and u |d| of its own rounding, so by 4 u m at most; 5 u m covers the second order.
+ * The product of two differences d and d' is then off by |d| 5 u m' + |d'| 5 u m + 25 u^2 m m' and
+ * by its own rounding.
  */
 inline int Orient2D(double au, double av, double bu, double bv, double cu, double cv)
 {
@@ -167,7 +172,8 @@ inline bool SamePoint(const ExactPoint& a, const ExactPoint& b)
 {
   const double* pa = a.Approximation();
   const double* pb = b.Approximation();
-  // Correctly rounded coordinates are a function of the exact ones: different ones tell points apart.
+  // Correctly rounded coordinates are a function of the exact ones: different ones tell points
+  // apart.
   return pa[0] == pb[0] && pa[1] == pb[1] && pa[2] == pb[2] && exact::SamePoint(a, b);
 }
 
@@ -176,20 +182,21 @@ inline int CompareAlong(const ExactPoint& a, const ExactPoint& b, int axis)
 {
   const double pa = a.Approximation()[axis];
   const double pb = b.Approximation()[axis];
-  // Correct rounding is monotone: where the doubles differ, the exact coordinates differ the same way.
+  // Correct rounding is monotone: where the doubles differ, the exact coordinates differ the same
+  // way.
   return pa != pb ? (pa < pb ? 1 : -1) : exact::CompareAlong(a, b, axis);
 }
 
 /**
  * @name On a refined lattice
- * A ray's foot s may lie between lattice points: it is given in units of 1/256, s = 256 (u, v), below 2^60, in the
- * projection that drops `axis` (u and v as for Orient2D).
+ * A ray's foot s may lie between lattice points: it is given in units of 1/256, s = 256 (u, v),
+ * below 2^60, in the projection that drops `axis` (u and v as for Orient2D).
  */
 ///@{
 
 /**
- * The sign of (height of the plane of T) - (height of the plane of G) at s, along +axis. T and G are the three corners
- * of triangles that are not parallel to `axis`.
+ * The sign of (height of the plane of T) - (height of the plane of G) at s, along +axis. T and G
+ * are the three corners of triangles that are not parallel to `axis`.
  */
 int CompareHeights(
   const double* const T[3], const double* const G[3], const std::int64_t s[2], int axis);

@@ -59,7 +59,16 @@ void FaceTriangulation::Reset(
 
 int FaceTriangulation::Insert(const ExactPoint* point)
 {
-  const Place place = this->Locate(*point);
+  return this->InsertAt(this->Locate(*point), point);
+}
+
+int FaceTriangulation::InsertOnEdge(const ExactPoint* point, int edge)
+{
+  return this->InsertAt(this->LocateOnEdge(*point, edge), point);
+}
+
+int FaceTriangulation::InsertAt(const Place& place, const ExactPoint* point)
+{
   if (place.Vertex != None)
   {
     return place.Vertex;
@@ -126,6 +135,42 @@ FaceTriangulation::Place FaceTriangulation::Locate(const ExactPoint& point)
         onOther == None ? None : here.Vertices[std::size_t(3 - onEdge - onOther)];
       return { cell, onEdge, vertex };
     }
+  }
+}
+
+FaceTriangulation::Place FaceTriangulation::LocateOnEdge(const ExactPoint& point, int edge) const
+{
+  // Along the coordinate in which the edge is longest, points of it are ordered as on the edge.
+  const double* from = this->Point(edge).Approximation();
+  const double* to = this->Point(Next(edge)).Approximation();
+  int axis = 0;
+  for (int i = 1; i < 3; ++i)
+  {
+    axis = std::abs(to[i] - from[i]) > std::abs(to[axis] - from[axis]) ? i : axis;
+  }
+  const int forward = to[axis] > from[axis] ? 1 : -1;
+  for (int vertex = edge;;)
+  {
+    // The boundary edge that leaves the vertex: the one without a neighbour, counter-clockwise.
+    Place place{ None, None, None };
+    this->VisitCellsAround(vertex,
+      [&](int cell, int i)
+      {
+        if (this->Triangles[std::size_t(cell)].Neighbours[std::size_t(Last(i))] == None)
+        {
+          place = { cell, Last(i), None };
+        }
+        return place.Cell != None;
+      });
+    const int next =
+      this->Triangles[std::size_t(place.Cell)].Vertices[std::size_t(Last(place.Edge))];
+    const int beyond = forward * CompareAlong(point, this->Point(next), axis);
+    if (beyond >= 0)
+    {
+      place.Vertex = beyond == 0 ? next : None;
+      return place;
+    }
+    vertex = next;
   }
 }
 

@@ -49,15 +49,14 @@ std::uint64_t HashPoint(const double* p)
   return hash;
 }
 
-/** A hash of a directed edge, minus that of the opposite one. */
+/** A hash of a directed edge, minus that of the opposite one; without branches, which could not be predicted. */
 std::uint64_t HashEdge(std::uint64_t from, std::uint64_t to)
 {
   constexpr std::uint64_t odd = 0xd6e8feb86659fd93u;
-  if (from == to)
-  {
-    return 0;
-  }
-  return from < to ? Mix(from * odd + to) : 0 - Mix(to * odd + from);
+  const std::uint64_t hash = Mix(std::min(from, to) * odd + std::max(from, to));
+  const std::uint64_t negate = 0 - std::uint64_t(from > to);
+  const std::uint64_t differ = 0 - std::uint64_t(from != to);
+  return ((hash ^ negate) - negate) & differ;
 }
 
 BlockSums Measure(
@@ -119,6 +118,7 @@ struct EdgeOfTriangle
   std::uint64_t Low;
   std::uint64_t High;
   std::int32_t Triangle;
+  std::int8_t Edge;
   bool RunsUp;
 
   friend bool operator<(const EdgeOfTriangle& l, const EdgeOfTriangle& r)
@@ -129,8 +129,9 @@ struct EdgeOfTriangle
   }
 };
 
-/** Says what is wrong with a surface that is known not to be closed. */
-Remark Diagnose(const Surface& mesh, const std::vector<std::uint64_t>& hashes, Executor& executor)
+/** Says what is wrong with a surface that is known not to be closed, and lists its rim. */
+Remark Diagnose(const Surface& mesh, const std::vector<std::uint64_t>& hashes,
+  std::vector<RimEdge>& rim, Executor& executor)
 {
   std::vector<EdgeOfTriangle> edges;
   edges.reserve(std::size_t(3 * mesh.NumberOfTriangles));
@@ -143,7 +144,8 @@ Remark Diagnose(const Surface& mesh, const std::vector<std::uint64_t>& hashes, E
         hashes[std::size_t(mesh.Triangles[3 * std::size_t(i) + (k + 1) % 3])];
       if (from != to)
       {
-        edges.push_back({ std::min(from, to), std::max(from, to), i, from < to });
+        edges.push_back({ std::min(from, to), std::max(from, to), i,
+          static_cast<std::int8_t>(k), from < to });
       }
     }
   }
@@ -168,6 +170,7 @@ Remark Diagnose(const Surface& mesh, const std::vector<std::uint64_t>& hashes, E
     if ((end - first) % 2 == 1)
     {
       remark = &boundary;
+      rim.push_back({ edges[first].Triangle, edges[first].Edge });
     }
     else if (balance != 0)
     {
@@ -210,6 +213,7 @@ public:
 
   OperandReport Report;
   std::vector<Remark> Remarks;
+  std::vector<RimEdge> Rim;
   bool IsOpen = false;
   bool IsSwapped = false;
 
@@ -253,7 +257,7 @@ public:
     }
     if (!this->Report.Closed)
     {
-      Remark remark = Diagnose(this->Mesh, hashes, this->Threads);
+      Remark remark = Diagnose(this->Mesh, hashes, this->Rim, this->Threads);
       remark.Operand = this->Index;
       this->Remarks.push_back(remark);
       this->IsOpen = true;
@@ -330,6 +334,7 @@ Ingested Ingest(const BooleanRequest& request, Executor& executor)
     result.Reports.push_back(operand.Report);
     result.Open.push_back(operand.IsOpen);
     result.Swapped.push_back(operand.IsSwapped);
+    result.Rims.push_back(std::move(operand.Rim));
     result.Remarks.insert(
       result.Remarks.end(), operand.Remarks.begin(), operand.Remarks.end());
   }

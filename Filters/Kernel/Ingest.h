@@ -20,12 +20,20 @@
 namespace sb
 {
 
+/** An edge that only one triangle, or an odd number of them, has: a piece of a sheet's rim. */
+struct RimEdge
+{
+  std::int32_t Triangle;
+  std::int32_t Edge; ///< from that corner to the next
+};
+
 struct Ingested
 {
   std::vector<OperandReport> Reports;
   std::vector<Remark> Remarks;
   std::vector<std::uint8_t> Open;    ///< operands to be treated as sheets
   std::vector<std::uint8_t> Swapped; ///< closed operands that are inside out
+  std::vector<std::vector<RimEdge>> Rims; ///< [operand]
 };
 
 Ingested Ingest(const BooleanRequest& request, Executor& executor);

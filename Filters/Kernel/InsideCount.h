@@ -49,6 +49,12 @@ public:
     return IsMultipleValue(this->Windings[std::size_t(operand)]);
   }
 
+  /** Whether the point is inside an operand of the group that this one is not in. */
+  bool IsInsideOtherGroup(std::int32_t operand) const
+  {
+    return (this->World.Side(operand) == Group::Input ? this->InsideTools : this->InsideInputs) > 0;
+  }
+
   bool IsInside() const
   {
     switch (this->Op)

@@ -4,10 +4,11 @@
  * @file Lattice.h
  * @brief The integer lattice on which all exact decisions are made: one power of two a call.
  *
- * A coordinate x becomes q = round(x * 2^k), ties to even, with |q| < 2^52. Being a power of two, the scale never adds
- * an error of its own, and a translation is not needed. A lattice coordinate is kept as an integral double. 52 bits
- * and not 53, because then the difference of two coordinates is exact in a double, too, which the predicates' filters
- * (Predicates.h) rely on. The lattice step is between 2^-52 and 2^-51 of the largest coordinate.
+ * A coordinate x becomes q = round(x * 2^k), ties to even, with |q| < 2^52. Being a power of two,
+ * the scale never adds an error of its own, and a translation is not needed. A lattice coordinate
+ * is kept as an integral double. 52 bits and not 53, because then the difference of two coordinates
+ * is exact in a double, too, which the predicates' filters (Predicates.h) rely on. The lattice step
+ * is between 2^-52 and 2^-51 of the largest coordinate.
  */
 #ifndef sb_Lattice_h
 #define sb_Lattice_h
@@ -21,13 +22,14 @@ struct Lattice
 {
   static constexpr double Limit = 4503599627370496.0; ///< 2^52: every |q| is below it
 
-  int Exponent = 0;        ///< k
-  double Scale = 1.0;      ///< 2^k, or the first of two factors of it where that is beyond a double
-  double ScaleRest = 1.0;  ///< the other factor; 1 but for coordinates below 1e-292 throughout
-  double Inverse = 1.0;    ///< 2^-k, in the same two factors
+  int Exponent = 0; ///< k
+  double Scale = 1.0; ///< 2^k, or the first of two factors of it where that is beyond a double
+  double ScaleRest = 1.0; ///< the other factor; 1 but for coordinates below 1e-292 throughout
+  double Inverse = 1.0; ///< 2^-k, in the same two factors
   double InverseRest = 1.0;
 
-  /** The finest lattice that holds all coordinates up to a magnitude, finite and not negative; 0 is allowed. */
+  /** The finest lattice that holds all coordinates up to a magnitude, finite and not negative; 0 is
+   * allowed. */
   static Lattice ForMagnitude(double maxAbsCoordinate)
   {
     if (!(maxAbsCoordinate > 0.0))
@@ -56,7 +58,8 @@ struct Lattice
   /** The lattice coordinate of x: integral, never a negative zero. */
   double ToLattice(double x) const
   {
-    // Doubles in [2^52, 2^53) are the integers: adding 2^52 rounds as the processor does, to nearest, ties to even.
+    // Doubles in [2^52, 2^53) are the integers: adding 2^52 rounds as the processor does, to
+    // nearest, ties to even.
     const double scaled = x * this->Scale * this->ScaleRest;
     const double shift = std::copysign(Limit, scaled);
     return (scaled + shift) - shift;
@@ -69,7 +72,8 @@ struct Lattice
     out[2] = this->ToLattice(in[2]);
   }
 
-  /** The coordinate in the caller's unit of a lattice coordinate (of a created point, not necessarily integral). */
+  /** The coordinate in the caller's unit of a lattice coordinate (of a created point, not
+   * necessarily integral). */
   double ToWorld(double q) const { return q * this->Inverse * this->InverseRest; }
 };
 

@@ -130,8 +130,13 @@ private:
     {
       this->ShareVertices(instances);
     }
+    else
+    {
+      this->ListMoved();
+    }
     this->NumberKept();
     this->NumberInstances(std::move(instances));
+    this->NumberMoved();
     this->NumberOwnCorners();
   }
 
@@ -256,6 +261,45 @@ private:
         }
       }
       this->VertexOfNode.push_back(first);
+    }
+  }
+
+  /**
+   * Input points that are one node, but differ in what rounding to the lattice takes away, would leave a gap of that size:
+   * they all get the place of the lowest of them.
+   */
+  void ListMoved()
+  {
+    for (const Piece& piece : this->Cuts.Pieces)
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        if (!IsCorner(piece.Where[k]) || !IsNode(piece.Corners[k]))
+        {
+          continue;
+        }
+        const std::int32_t face = this->Cuts.Regions[std::size_t(piece.Region)].Face;
+        const std::int32_t vertex = this->World.Corners(face)[std::size_t(piece.Where[k])];
+        const std::int32_t standard = this->Cuts.Nodes.Vertex(piece.Corners[k]);
+        if (standard >= 0 && standard != vertex && this->MarkOf(vertex) == Used &&
+          this->World.OriginalPosition(vertex) != this->World.OriginalPosition(standard))
+        {
+          this->MarkOf(vertex) = Unused;
+          this->Moved.push_back({ piece.Corners[k], vertex });
+        }
+      }
+    }
+  }
+
+  void NumberMoved()
+  {
+    for (const Alias& moved : this->Moved)
+    {
+      const std::int32_t operand = this->World.OperandOfVertex(moved.Vertex);
+      const std::int32_t id = moved.Vertex - this->World.FirstVertex(operand);
+      this->MarkOf(moved.Vertex) = this->NumberOfPoints++;
+      this->Out.Interpolated.push_back({ PlaceOfNode(this->World, this->Cuts.Nodes, moved.Node),
+        operand, { id, id, id }, { 1.0, 0.0, 0.0 } });
     }
   }
 
@@ -433,6 +477,7 @@ private:
   std::vector<std::int32_t> Selected; ///< the pieces in the result
   std::vector<Alias> VertexOfNode;    ///< sorted by node
   std::vector<std::pair<std::int32_t, std::int32_t>> Shared;
+  std::vector<Alias> Moved;
   std::int32_t NumberOfPoints = 0;
 };
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Predicates.cxx
- * @brief The predicates on lattice points in integers of fixed width, for what the filters leave undecided.
+ * @brief The predicates on lattice points in integers of fixed width, for what the filters leave
+ * undecided.
  */
 #include "Predicates.h"
 
@@ -40,8 +41,7 @@ int exact::Orient3D(const double* a, const double* b, const double* c, const dou
   {
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
-    determinant =
-      determinant + Multiply(Cross(p[u], p[v], q[u], q[v]), Subtract(d, a, axis));
+    determinant = determinant + Multiply(Cross(p[u], p[v], q[u], q[v]), Subtract(d, a, axis));
   }
   return determinant.Sign();
 }
@@ -53,7 +53,7 @@ int exact::Orient2D(const double* a, const double* b, const double* c, int axis)
   return Cross(Subtract(b, a, u), Subtract(b, a, v), Subtract(c, a, u), Subtract(c, a, v)).Sign();
 }
 
-DominantNormal ComputeDominantNormal(const double* a, const double* b, const double* c)
+DominantNormal exact::ComputeDominantNormal(const double* a, const double* b, const double* c)
 {
   const Difference p[3] = { Subtract(b, a, 0), Subtract(b, a, 1), Subtract(b, a, 2) };
   const Difference q[3] = { Subtract(c, a, 0), Subtract(c, a, 1), Subtract(c, a, 2) };

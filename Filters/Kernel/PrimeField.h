@@ -4,8 +4,8 @@
  * @file PrimeField.h
  * @brief Arithmetic modulo primes just below 2^61, with which rationals are fingerprinted.
  *
- * A fraction X/W has one residue X * W^-1 modulo a prime, whichever of its equal forms it is written in, so that residues
- * can stand for exact values in a hash table.
+ * A fraction X/W has one residue X * W^-1 modulo a prime, whichever of its equal forms it is
+ * written in, so that residues can stand for exact values in a hash table.
  */
 #ifndef sb_PrimeField_h
 #define sb_PrimeField_h
@@ -48,8 +48,8 @@ struct PrimeField
   template <int Size>
   static std::uint64_t Residue(const WideInteger<Size>& value)
   {
-    // 2^64 is as good as 8 * Gap, below 2^8: word i weighs less than 2^(8 i), and up to seven words add up without a
-    // reduction in between.
+    // 2^64 is as good as 8 * Gap, below 2^8: word i weighs less than 2^(8 i), and up to seven words
+    // add up without a reduction in between.
     static_assert(Size <= 7, "the sum would not fit");
     const WideInteger<Size> magnitude = value.Magnitude();
     std::uint64_t weight = 1;
@@ -69,7 +69,8 @@ struct PrimeField
   /** The b with a * b = 1, for 0 < a < Modulus, by Euclid's algorithm. */
   static std::uint64_t Inverse(std::uint64_t a)
   {
-    // Throughout, factor * a and rest differ by a multiple of the modulus, and the factors stay below it.
+    // Throughout, factor * a and rest differ by a multiple of the modulus, and the factors stay
+    // below it.
     std::uint64_t rest = a;
     std::uint64_t previousRest = Modulus;
     std::int64_t factor = 1;
@@ -92,9 +93,10 @@ struct PrimeField
   template <int Size>
   static WideInteger<Size> DivideExactly(const WideInteger<Size>& value)
   {
-    // From the low end, as in Jebelean's exact division: the quotient's next word is the one that cancels the lowest
-    // word left. Multiplication modulo 2^64 by an odd number can be undone; Newton doubles the right bits of its
-    // inverse a step, from the three that the number itself has.
+    // From the low end, as in Jebelean's exact division: the quotient's next word is the one that
+    // cancels the lowest word left. Multiplication modulo 2^64 by an odd number can be undone;
+    // Newton doubles the right bits of its inverse a step, from the three that the number itself
+    // has.
     std::uint64_t inverse = Modulus;
     for (int step = 0; step < 5; ++step)
     {

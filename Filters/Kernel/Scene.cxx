@@ -23,11 +23,29 @@ double LargestMagnitude(const std::vector<OperandReport>& reports)
   return largest;
 }
 
+/**
+ * The finest lattice, or a coarser one whose rounding moves no point by more than the tolerance: what is closer together
+ * than the tolerance then tends to coincide, in every predicate alike.
+ */
+Lattice ChooseLattice(double magnitude, double tolerance)
+{
+  const Lattice finest = Lattice::ForMagnitude(magnitude);
+  if (!(tolerance > 0.0))
+  {
+    return finest;
+  }
+  // Rounding moves a point by at most half a step along each axis.
+  const double coarsestStep = 2.0 * tolerance / std::sqrt(3.0);
+  int binade = 0;
+  std::frexp(coarsestStep, &binade);
+  return 1 - binade < finest.Exponent ? Lattice::WithExponent(1 - binade) : finest;
+}
+
 } // namespace
 
 Scene::Scene(const BooleanRequest& request, const std::vector<OperandReport>& reports,
   const std::vector<std::uint8_t>& swapped, Executor& executor)
-  : Units(Lattice::ForMagnitude(LargestMagnitude(reports)))
+  : Units(ChooseLattice(LargestMagnitude(reports), request.Tolerance))
   , Swapped(swapped)
   , FirstVertices{ 0 }
   , FirstFaces{ 0 }
@@ -43,12 +61,12 @@ Scene::Scene(const BooleanRequest& request, const std::vector<OperandReport>& re
       this->FirstFaces.back() + static_cast<std::int32_t>(operand.Mesh.NumberOfTriangles));
   }
 
-  // Not a std::vector<double>(n): the pages are first touched by the threads that fill them.
-  this->Coordinates.resize(3 * std::size_t(this->NumberOfVertices()));
+  // Not initialised: the pages are first touched by the threads that fill them.
+  this->Coordinates.reset(new double[3 * std::size_t(this->NumberOfVertices()) + 1]);
   for (std::int32_t operand = 0; operand < this->NumberOfOperands(); ++operand)
   {
     const double* in = this->Meshes[operand].Points;
-    double* out = this->Coordinates.data() + 3 * std::size_t(this->FirstVertices[operand]);
+    double* out = this->Coordinates.get() + 3 * std::size_t(this->FirstVertices[operand]);
     executor.For(this->FirstVertices[operand + 1] - this->FirstVertices[operand], 1 << 15,
       [&](std::int64_t begin, std::int64_t end)
       {

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace sb
@@ -87,7 +88,7 @@ private:
   std::vector<std::uint8_t> Swapped;
   std::vector<std::int32_t> FirstVertices; ///< one more than operands
   std::vector<std::int32_t> FirstFaces;    ///< one more than operands
-  std::vector<double> Coordinates;
+  std::unique_ptr<double[]> Coordinates; ///< three a vertex
   std::vector<std::array<double, 6>> LatticeBounds;
 };
 

@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file WideInteger.h
- * @brief Signed integers of a fixed number of 64-bit words, on the stack, wide enough by type never to overflow.
+ * @brief Signed integers of a fixed number of 64-bit words, on the stack, wide enough by type never
+ * to overflow.
  *
- * Every exact decision of the kernel is the sign of a polynomial of bounded degree in lattice coordinates of 52 bits
- * (Lattice.h), so the width of each intermediate value is known when the code is written. That spares the kernel an
- * arbitrary precision library and the heap: a product's type is the sum of its factors' widths, and whoever adds
- * states in a comment why the sum still fits.
+ * Every exact decision of the kernel is the sign of a polynomial of bounded degree in lattice
+ * coordinates of 52 bits (Lattice.h), so the width of each intermediate value is known when the
+ * code is written. That spares the kernel an arbitrary precision library and the heap: a product's
+ * type is the sum of its factors' widths, and whoever adds states in a comment why the sum still
+ * fits.
  *
- * The fixed-width idea is that of Nehring-Wirxel, Trettner, Kobbelt: "Fast exact Booleans for iterated CSG using
- * octree-embedded BSPs" (EMBER is its successor), carried from 26-bit to 52-bit coordinates.
+ * The fixed-width idea is that of Nehring-Wirxel, Trettner, Kobbelt: "Fast exact Booleans for
+ * iterated CSG using octree-embedded BSPs" (EMBER is its successor), carried from 26-bit to 52-bit
+ * coordinates.
  */
 #ifndef sb_WideInteger_h
 #define sb_WideInteger_h
@@ -94,7 +97,8 @@ inline int LeadingZeros(std::uint64_t value)
 
 } // namespace words
 
-/** The leading bits of a positive wide integer: value = (High * 2^64 + Low + tail) * 2^Exponent with 0 <= tail < 1. */
+/** The leading bits of a positive wide integer: value = (High * 2^64 + Low + tail) * 2^Exponent
+ * with 0 <= tail < 1. */
 struct LeadingBits
 {
   std::uint64_t High; ///< its highest bit is set
