@@ -22,6 +22,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -43,10 +44,17 @@ enum class Group : std::uint8_t
   Tool
 };
 
+/** What a pass over one surface finds: whether it is good and closed, its volume, area, box and rim (Ingest.h). */
+struct Examination;
+
+/** Examine a surface; worth keeping, as Operand::Known, for as long as the surface does not change. */
+std::shared_ptr<const Examination> Examine(const Surface& surface, Executor& executor);
+
 struct Operand
 {
   Surface Mesh;
   Group Side = Group::Input;
+  std::shared_ptr<const Examination> Known; ///< of this very surface; may be null, and is then made
 };
 
 enum class Operation : std::uint8_t

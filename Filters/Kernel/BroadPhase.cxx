@@ -5,12 +5,12 @@
  * @brief From all triangles to candidates (in the other surfaces' boxes), to survivors (near another surface), to pairs.
  *
  * 1. Surfaces: the *region* of a surface encloses what its box has in common with the others' boxes.
- * 2. Mark, one pass over all triangles: a triangle that meets its surface's region is a *candidate* and marks the cells
- *    of an occupancy grid that its box touches. The grid is the finest whose marking stays linear by a sample's estimate.
- * 3. Keep, one pass over the candidates: those that touch no cell marked by two surfaces are dropped.
- * 4. Pair: of two neighbouring surfaces the one with fewer survivors goes into the hierarchy, the other one's ask it.
+ * 2. Points: each is given the code of its cell in a grid over the regions, and marks the cell (OccupancyGrid.h).
+ * 3. Triangles, first pass: those that are large for the grid mark all the cells of their boxes.
+ * 4. Triangles, second pass: those that are not near a cell which two surfaces share are dropped. The others survive.
+ * 5. Pairs: of two surfaces whose boxes meet, the one with fewer survivors goes into the hierarchy, and the other's ask.
  *
- * Memory is linear: 12 bytes a candidate, 300 a survivor in the hierarchy, 32 a pair, and a few cells a triangle.
+ * Memory is linear: 4 bytes a point, some bytes a triangle for the grid, 300 a survivor in the hierarchy, 32 a pair.
  */
 #include "BroadPhase.h"
 
@@ -32,17 +32,16 @@ namespace
 using Surfaces = std::vector<BroadPhaseSurface>;
 
 constexpr std::int64_t ChunkSize = 8192;
-constexpr std::int64_t SampleSize = 4096;
+constexpr std::int64_t SampleSize = 2048;
 constexpr std::int64_t SmallestSample = 16;
 
-// What the grid may cost, a candidate.
+// What the grid may cost: cells, and cells marked by large triangles, for each candidate.
 constexpr double MostCells = 2.0;
-constexpr double MostMarks = 4.0;
-constexpr double LargestGrid = 1 << 23;
+constexpr double MostMarks = 2.0;
+constexpr int MostBits = 23;
 
-/** A triangle that touches more cells is large, and marks only once all the large ones are known. */
-constexpr std::int64_t MostCellsOfSmall = 64;
-constexpr OccupancyGrid::Block NoBlock{ 0xffffffffu, { 0, 0, 0 } };
+/** A large triangle may touch as many cells however many of its kind there are. */
+constexpr std::int64_t CellsOfAnyLarge = 64;
 
 struct Survivor
 {
@@ -53,17 +52,17 @@ struct Survivor
 /** A range of one surface's triangles, the unit of parallel work, and what the passes find in it. */
 struct Chunk
 {
-  struct Candidate
+  struct LargeTriangle
   {
     std::int32_t Triangle;
-    OccupancyGrid::Block Cells; ///< of a large one: none, its cells are the next of Large
+    CellRange Cells;
   };
 
   std::int32_t Surface;
   std::int64_t Begin;
   std::int64_t End;
-  std::vector<Candidate> Candidates;
-  std::vector<CellRange> Large;
+  bool Inside = false; ///< whether a first corner is in or beside the region
+  std::vector<LargeTriangle> Large;
   std::vector<std::int32_t> Survivors;
 };
 
@@ -86,11 +85,6 @@ Box BoxOf(const BroadPhaseSurface& surface)
 {
   const std::array<double, 6>& bounds = surface.Bounds;
   return { { bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] } };
-}
-
-OccupancyGrid::Owner OwnerOf(const Chunk& chunk, const BroadPhaseSurface& surface)
-{
-  return surface.Self ? OccupancyGrid::Shared : OccupancyGrid::OwnerOf(chunk.Surface);
 }
 
 Box EmptyBox()
@@ -182,7 +176,7 @@ std::vector<Chunk> CutIntoChunks(const Surfaces& surfaces, const std::vector<Box
     for (std::int64_t begin = 0; begin < surfaces[i].NumberOfTriangles; begin += ChunkSize)
     {
       const std::int64_t end = std::min(begin + ChunkSize, surfaces[i].NumberOfTriangles);
-      chunks.push_back({ static_cast<std::int32_t>(i), begin, end, {}, {}, {} });
+      chunks.push_back({ static_cast<std::int32_t>(i), begin, end, false, {}, {} });
     }
   }
   return chunks;
@@ -213,8 +207,8 @@ public:
   /** The finest grid that costs no more than MostCells and MostMarks for each candidate. */
   GridShape FinestLinearGrid() const
   {
-    // Cells have the proportions of the triangles, within reason: where all triangles lie flat, cells may be flatter
-    // than cubes, but the surfaces still have to be told apart across the layers.
+    // Cells need not be smaller than the triangles, but are not flattened with them at will: where all triangles lie
+    // flat, the surfaces still have to be told apart across the layers.
     double longest = 0.0;
     double reach = 0.0;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -222,20 +216,19 @@ public:
       longest = std::max(longest, this->MeanSides[axis]);
       reach = std::max(reach, this->Region.Upper[axis] - this->Region.Lower[axis]);
     }
-    std::array<double, 3> sides;
+    Grid grid{};
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      sides[axis] = std::max({ this->MeanSides[axis], longest / 8, reach * 1e-6, 1e-300 });
+      grid.SmallestSides[axis] = std::max({ this->MeanSides[axis], longest / 8, reach * 1e-6, 1e-300 });
+      this->SetBits(grid, axis, 3);
     }
-    // Bisection over the cell's size in steps of a quarter octave: costs fall as cells grow.
-    int tooFine = -33;
-    int fineEnough = 120;
-    while (fineEnough - tooFine > 1)
+    for (bool refined = true; refined;)
     {
-      const int middle = (tooFine + fineEnough) / 2;
-      (this->Fits(Scaled(sides, middle)) ? fineEnough : tooFine) = middle;
+      // Halve the cells along the axis on which they are longest for the triangles.
+      refined = false;
+      std::size_t axis = 0;
     }
-    return GridShape(this->Region, Scaled(sides, fineEnough));
+    return GridShape(this->Region, grid.Bits, grid.Sides);
   }
 
 private:

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ExactPoint.cxx
- * @brief How created points are made, rounded and fingerprinted, and their predicates in integers
+ * @brief How created points are made and rounded, and their predicates in integers
  * of fixed width.
  */
 #include "ExactPoint.h"
 
-#include "Hash.h"
-#include "PrimeField.h"
 
 #include <cstring>
 #include <limits>
@@ -154,73 +152,6 @@ double RoundedQuotient(const WideInteger<Size>& numerator, const WideInteger<Siz
   }
   const double result = rounded * PowerOfTwo(exponent);
   return numerator.IsNegative() ? -result : result;
-}
-
-/**
- * A point modulo a prime: homogeneous coordinates W, X, Y, Z up to a factor, once a power of the
- * prime that all of them share is taken off. Leading is the first that is not zero then; divided by
- * it, they are the point's alone and not those of a construction. That it is not W is rare, but a
- * matter of the input only.
- */
-template <class Field>
-struct PointResidue
-{
-  std::uint64_t Coordinate[4];
-  std::uint64_t Leading = 0;
-
-  template <int Size>
-  void Reduce(const ExactPoint& point)
-  {
-    WideInteger<Size> exact[4] = { point.GetDenominator().template Narrow<Size>(),
-      point.GetNumerator(0).template Narrow<Size>(), point.GetNumerator(1).template Narrow<Size>(),
-      point.GetNumerator(2).template Narrow<Size>() };
-    while (this->Leading == 0)
-    {
-      for (int i = 0; i < 4; ++i)
-      {
-        this->Coordinate[i] = Field::Residue(exact[i]);
-        this->Leading = this->Leading == 0 ? this->Coordinate[i] : this->Leading;
-      }
-      for (int i = 0; i < 4 && this->Leading == 0; ++i)
-      {
-        exact[i] = Field::DivideExactly(exact[i]);
-      }
-    }
-  }
-
-  explicit PointResidue(const ExactPoint& point)
-  {
-    switch (point.GetWidth())
-    {
-      case 1:
-        this->Reduce<1>(point);
-        break;
-      case 4:
-        this->Reduce<4>(point);
-        break;
-      default:
-        this->Reduce<6>(point);
-        break;
-    }
-  }
-
-  std::uint64_t Hash(std::uint64_t inverseOfLeading) const
-  {
-    std::uint64_t hash = this->Coordinate[0] == 0 ? 1 : 0;
-    for (int i = 1; i < 4; ++i)
-    {
-      hash =
-        Mix(hash + Field::Multiply(this->Coordinate[i], inverseOfLeading) + 0x9e3779b97f4a7c15u);
-    }
-    return hash;
-  }
-};
-
-template <class Field>
-std::uint64_t ResidueFingerprint(const ExactPoint& point)
-{
-  const PointResidue<Field> residue(point);
-  return residue.Hash(residue.Leading == 1 ? 1 : Field::Inverse(residue.Leading));
 }
 
 /** The homogeneous coordinates of a projected point, in no more words than it takes. */
@@ -448,15 +379,6 @@ bool ExactPoint::IsIntegral() const
     }
   }
   return true;
-}
-
-std::array<std::uint64_t, 2> ExactPoint::Fingerprint() const
-{
-  if (!this->Exists())
-  {
-    return { 0, 0 };
-  }
-  return { ResidueFingerprint<PrimeField<1>>(*this), ResidueFingerprint<PrimeField<31>>(*this) };
 }
 
 int exact::Orient2D(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, int axis)

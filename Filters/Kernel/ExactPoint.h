@@ -6,9 +6,9 @@
  * on them.
  *
  * A point is X/W, Y/W, Z/W in lattice units with integers X, Y, Z and W > 0. Nothing is rounded, so
- * it does not matter by which construction a point is reached: equal points compare equal, round to
- * the same doubles and have the same fingerprint. The bits needed, with lattice coordinates of B =
- * 52 bits (magnitudes; a sign comes on top):
+ * it does not matter by which construction a point is reached: equal points compare equal and round
+ * to the same doubles. The bits needed, with lattice coordinates of B = 52 bits (magnitudes; a sign
+ * comes on top):
  *
  * | value                                | bits                                   |
  * | ------------------------------------ | -------------------------------------- |
@@ -44,7 +44,7 @@ struct ExactPlane
   /** The plane of a triangle, its front where the right-hand normal points. */
   static ExactPlane Through(const double* a, const double* b, const double* c);
 
-  /** The plane of the line st that is parallel to `axis`, front where Orient2D(s, t, p, axis) > 0. */
+  /** The plane of line st that is parallel to `axis`; front: Orient2D(s, t, p, axis) > 0. */
   static ExactPlane Vertical(const double* s, const double* t, int axis);
 };
 
@@ -84,13 +84,7 @@ public:
   /** Whether the exact point lies on the lattice; its approximation is then exact. */
   bool IsIntegral() const;
 
-  /**
-   * Equal for equal points; for different ones with a probability of about 2^-120. Made of the
-   * residues of the coordinates modulo two primes, hence independent of the construction, too.
-   */
-  std::array<std::uint64_t, 2> Fingerprint() const;
-
-  /** Coordinate = Numerator / Denominator, not always in lowest terms; the denominator is positive. */
+  /** Coordinate = Numerator / Denominator, not always in lowest terms; Denominator > 0. */
   const WideInteger<6>& GetNumerator(int axis) const { return this->Numerator[axis]; }
   const WideInteger<6>& GetDenominator() const { return this->Denominator; }
 

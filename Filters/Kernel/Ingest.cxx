@@ -200,22 +200,17 @@ std::int64_t FindBadPoint(const Surface& mesh, std::int64_t triangle)
   return -1;
 }
 
-/** Measures one operand; sets its entries. */
-class OperandIngest
+/** Makes the examination of one surface. */
+class Examiner
 {
 public:
-  OperandIngest(const Operand& operand, std::int32_t index, Executor& executor)
-    : Mesh(operand.Mesh)
-    , Index(index)
+  Examiner(const Surface& mesh, Executor& executor)
+    : Mesh(mesh)
     , Threads(executor)
   {
   }
 
-  OperandReport Report;
-  std::vector<Remark> Remarks;
-  std::vector<RimEdge> Rim;
-  bool IsOpen = false;
-  bool IsSwapped = false;
+  Examination Result;
 
   void Run()
   {
@@ -227,7 +222,7 @@ public:
     }
     if (this->Mesh.NumberOfTriangles == 0)
     {
-      this->Report.Closed = true;
+      this->Result.Report.Closed = true;
       this->Add(Status::EmptyOperand);
       return;
     }
@@ -255,16 +250,15 @@ public:
     {
       return;
     }
-    if (!this->Report.Closed)
+    if (!this->Result.Report.Closed)
     {
-      Remark remark = Diagnose(this->Mesh, hashes, this->Rim, this->Threads);
-      remark.Operand = this->Index;
-      this->Remarks.push_back(remark);
-      this->IsOpen = true;
+      this->Result.Remarks.push_back(
+        Diagnose(this->Mesh, hashes, this->Result.Rim, this->Threads));
+      this->Result.IsOpen = true;
     }
-    else if (this->Report.Volume < 0.0)
+    else if (this->Result.Report.Volume < 0.0)
     {
-      this->IsSwapped = true;
+      this->Result.IsInsideOut = true;
       this->Add(Status::InsideOut);
     }
   }
@@ -272,11 +266,9 @@ public:
 private:
   Remark& Add(Status condition)
   {
-    Remark remark;
-    remark.Condition = condition;
-    remark.Operand = this->Index;
-    this->Remarks.push_back(remark);
-    return this->Remarks.back();
+    this->Result.Remarks.emplace_back();
+    this->Result.Remarks.back().Condition = condition;
+    return this->Result.Remarks.back();
   }
 
   /** @return whether all indices and coordinates are good. */
@@ -306,37 +298,47 @@ private:
         total.High[axis] = std::max(total.High[axis], block.High[axis]);
       }
     }
-    this->Report.Volume = total.Volume / 6.0;
-    this->Report.Area = total.Area / 2.0;
-    this->Report.Closed = total.Boundary == 0;
+    this->Result.Report.Volume = total.Volume / 6.0;
+    this->Result.Report.Area = total.Area / 2.0;
+    this->Result.Report.Closed = total.Boundary == 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      this->Report.Bounds[2 * axis] = total.Low[axis];
-      this->Report.Bounds[2 * axis + 1] = total.High[axis];
+      this->Result.Report.Bounds[2 * axis] = total.Low[axis];
+      this->Result.Report.Bounds[2 * axis + 1] = total.High[axis];
     }
     return true;
   }
 
   const Surface& Mesh;
-  const std::int32_t Index;
   Executor& Threads;
 };
 
 } // namespace
 
+std::shared_ptr<const Examination> Examine(const Surface& surface, Executor& executor)
+{
+  Examiner examiner(surface, executor);
+  examiner.Run();
+  return std::make_shared<const Examination>(std::move(examiner.Result));
+}
+
 Ingested Ingest(const BooleanRequest& request, Executor& executor)
 {
   Ingested result;
-  for (std::size_t i = 0; i < request.Operands.size(); ++i)
+  for (const Operand& operand : request.Operands)
   {
-    OperandIngest operand(request.Operands[i], static_cast<std::int32_t>(i), executor);
-    operand.Run();
-    result.Reports.push_back(operand.Report);
-    result.Open.push_back(operand.IsOpen);
-    result.Swapped.push_back(operand.IsSwapped);
-    result.Rims.push_back(std::move(operand.Rim));
-    result.Remarks.insert(
-      result.Remarks.end(), operand.Remarks.begin(), operand.Remarks.end());
+    const std::shared_ptr<const Examination> examination =
+      operand.Known ? operand.Known : Examine(operand.Mesh, executor);
+    const auto index = static_cast<std::int32_t>(result.Reports.size());
+    for (Remark remark : examination->Remarks)
+    {
+      remark.Operand = index;
+      result.Remarks.push_back(remark);
+    }
+    result.Reports.push_back(examination->Report);
+    result.Open.push_back(examination->IsOpen);
+    result.Swapped.push_back(examination->IsInsideOut);
+    result.Rims.push_back(examination->Rim);
   }
   return result;
 }

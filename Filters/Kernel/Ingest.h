@@ -27,6 +27,15 @@ struct RimEdge
   std::int32_t Edge; ///< from that corner to the next
 };
 
+struct Examination
+{
+  OperandReport Report;
+  std::vector<Remark> Remarks; ///< Operand is not set
+  bool IsOpen = false;
+  bool IsInsideOut = false;
+  std::vector<RimEdge> Rim;
+};
+
 struct Ingested
 {
   std::vector<OperandReport> Reports;

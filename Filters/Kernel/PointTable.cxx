@@ -13,50 +13,49 @@ std::vector<NodeId> PointTable::Insert(
   const std::vector<ContactPoint>& points, Executor& executor)
 {
   std::vector<Key> keys(points.size());
-  executor.For(static_cast<std::int64_t>(points.size()), 1024,
-    [&](std::int64_t begin, std::int64_t end)
-    {
-      for (std::int64_t i = begin; i < end; ++i)
-      {
-        const ContactPoint& point = points[std::size_t(i)];
-        keys[std::size_t(i)] = { point.Point.Fingerprint(), point.Vertex,
-          static_cast<std::int32_t>(i) };
-      }
-    });
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const double* p = points[i].Point.Approximation();
+    keys[i] = { { p[0], p[1], p[2] }, static_cast<std::int32_t>(i) };
+  }
   ParallelSort(keys, Before, executor);
 
   std::vector<NodeId> nodes(points.size());
   std::vector<Key> fresh;
+  std::vector<NodeId> here; // the nodes at one place
   auto known = this->Known.begin();
-  for (std::size_t first = 0; first < keys.size();)
+  for (std::size_t i = 0; i < keys.size();)
   {
-    std::size_t last = first;
-    std::int32_t vertex = -1;
-    for (; last < keys.size() && keys[last].Print == keys[first].Print; ++last)
-    {
-      if (keys[last].Vertex >= 0 && (vertex < 0 || keys[last].Vertex < vertex))
-      {
-        vertex = keys[last].Vertex;
-      }
-    }
-    while (known != this->Known.end() && known->Print < keys[first].Print)
+    const std::array<double, 3> place = keys[i].Place;
+    while (known != this->Known.end() && known->Place < place)
     {
       ++known;
     }
-    NodeId node;
-    if (known != this->Known.end() && known->Print == keys[first].Print)
+    here.clear();
+    for (; known != this->Known.end() && known->Place == place; ++known)
     {
-      node = known->Index;
+      here.push_back(known->Index);
     }
-    else
+    for (; i < keys.size() && keys[i].Place == place; ++i)
     {
-      node = this->Size();
-      this->Points.push_back({ points[std::size_t(keys[first].Index)].Point, vertex });
-      fresh.push_back({ keys[first].Print, vertex, node });
-    }
-    for (; first < last; ++first)
-    {
-      nodes[std::size_t(keys[first].Index)] = node;
+      const ContactPoint& point = points[std::size_t(keys[i].Index)];
+      const auto same = std::find_if(here.begin(), here.end(),
+        [&](NodeId node) { return SamePoint(this->Point(node), point.Point); });
+      NodeId& node = nodes[std::size_t(keys[i].Index)];
+      if (same == here.end())
+      {
+        node = this->Size();
+        this->Points.push_back(point);
+        here.push_back(node);
+        fresh.push_back({ place, node });
+        continue;
+      }
+      node = *same;
+      std::int32_t& vertex = this->Points[std::size_t(node)].Vertex;
+      if (point.Vertex >= 0 && (vertex < 0 || point.Vertex < vertex))
+      {
+        vertex = point.Vertex;
+      }
     }
   }
   const auto middle = static_cast<std::ptrdiff_t>(this->Known.size());

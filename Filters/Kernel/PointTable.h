@@ -4,8 +4,9 @@
  * @file PointTable.h
  * @brief One *node* for each geometric point of the arrangement, however many constructions lead to it.
  *
- * Points are equal where their exact rational coordinates are: nodes are found by sorting the residues of the coordinates
- * modulo large primes (ExactPoint::Fingerprint), never by a tolerance.
+ * Points are equal where their exact rational coordinates are, never by a tolerance. A point's approximation is its exact
+ * value correctly rounded, so equal points have equal approximations, whatever made them: sorting by approximation
+ * brings them together, and an exact comparison decides among the few that have the same one.
  */
 #ifndef sb_PointTable_h
 #define sb_PointTable_h
@@ -36,15 +37,15 @@ public:
   std::int32_t Vertex(NodeId node) const { return this->Points[std::size_t(node)].Vertex; }
 
 private:
+  /** A point and where it is, as near as doubles can say. */
   struct Key
   {
-    std::array<std::uint64_t, 2> Print;
-    std::int32_t Vertex; ///< new points last
+    std::array<double, 3> Place;
     std::int32_t Index;
   };
   static bool Before(const Key& l, const Key& r)
   {
-    return l.Print != r.Print ? l.Print < r.Print : l.Index < r.Index;
+    return l.Place != r.Place ? l.Place < r.Place : l.Index < r.Index;
   }
 
   std::vector<ContactPoint> Points;

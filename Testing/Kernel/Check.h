@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Check.h
- * @brief Claims of a kernel test: counted, the failing ones printed, the verdict returned from main.
+ * @brief Claims of a kernel test: counted, the failing ones printed, the verdict returned from
+ * main.
  */
 #ifndef sb_Check_h
 #define sb_Check_h

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Reference.h
- * @brief What the exact kernel is tested against: integers of any length, and random lattice points of all temperaments.
+ * @brief What the exact kernel is tested against: integers of any length, and random lattice points
+ * of all temperaments.
  */
 #ifndef sb_Reference_h
 #define sb_Reference_h
@@ -36,10 +37,7 @@ Integer ToInteger(const sb::WideInteger<Size>& value)
   return value.IsNegative() ? Integer(result - (Integer(1) << (64 * Size))) : result;
 }
 
-inline Integer ToInteger(double integral)
-{
-  return Integer(static_cast<std::int64_t>(integral));
-}
+inline Integer ToInteger(double integral) { return Integer(static_cast<std::int64_t>(integral)); }
 
 inline Vector ToVector(const double* p)
 {
@@ -61,10 +59,7 @@ inline Integer Dot(const Vector& a, const Vector& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-inline int Sign(const Integer& value)
-{
-  return value.sign();
-}
+inline int Sign(const Integer& value) { return value.sign(); }
 
 /** (b - a) x (c - a). */
 inline Vector TriangleNormal(const double* a, const double* b, const double* c)
@@ -130,8 +125,8 @@ public:
         return std::ldexp(
           static_cast<double>(this->Between(-15, 15)), static_cast<int>(this->Between(0, 48)));
       case 2:
-        return static_cast<double>((this->Between(0, 1) * 2 - 1) *
-          (LatticeLimit - this->Between(0, 2)));
+        return static_cast<double>(
+          (this->Between(0, 1) * 2 - 1) * (LatticeLimit - this->Between(0, 2)));
       default:
         return static_cast<double>(
           this->Between(-LatticeLimit, LatticeLimit) >> this->Between(0, 50));

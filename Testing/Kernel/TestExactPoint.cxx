@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TestExactPoint.cxx
- * @brief Created points lie exactly where they are said to lie, are rounded correctly, and do not depend on how they
- * were reached; their predicates give the signs that integers of any length give.
+ * @brief Created points lie exactly where they are said to lie, are rounded correctly, and do not
+ * depend on how they were reached; their predicates give the signs that integers of any length
+ * give.
  */
 #include "Check.h"
 #include "ExactPoint.h"
@@ -63,19 +64,16 @@ bool OnLine(const Rational& point, const Point& u, const Point& v)
   return cross[0] == 0 && cross[1] == 0 && cross[2] == 0;
 }
 
-bool SameBits(double a, double b)
-{
-  return std::memcmp(&a, &b, sizeof(a)) == 0;
-}
+bool SameBits(double a, double b) { return std::memcmp(&a, &b, sizeof(a)) == 0; }
 
-/** Whether a fraction is the midpoint of two neighbouring doubles: 54 significant bits, the last of them set. */
+/** Whether a fraction is the midpoint of two neighbouring doubles: 54 significant bits, the last of
+ * them set. */
 bool IsHalfway(const Integer& numerator, const Integer& denominator)
 {
   const Integer divisor = gcd(numerator, denominator);
   const Integer lowest = denominator / divisor;
   const Integer magnitude = abs(numerator) / divisor;
-  return magnitude != 0 && (lowest & (lowest - 1)) == 0 &&
-    msb(magnitude) - lsb(magnitude) == 53;
+  return magnitude != 0 && (lowest & (lowest - 1)) == 0 && msb(magnitude) - lsb(magnitude) == 53;
 }
 
 /** What every created point has to keep. */
@@ -98,7 +96,6 @@ void CheckPoint(const ExactPoint& point)
 void CheckSame(const ExactPoint& a, const ExactPoint& b)
 {
   CHECK(sb::SamePoint(a, b));
-  CHECK(a.Fingerprint() == b.Fingerprint());
   for (int axis = 0; axis < 3; ++axis)
   {
     CHECK(SameBits(a.Approximation()[axis], b.Approximation()[axis]));
@@ -125,8 +122,7 @@ int ReferenceOrient2D(const Rational& a, const Rational& b, const Rational& c, i
   const int v = (axis + 2) % 3;
   // Differences times both denominators, which are positive.
   const auto difference = [&a](const Rational& to, int along) {
-    return Integer(
-      to.Numerator[along] * a.Denominator - a.Numerator[along] * to.Denominator);
+    return Integer(to.Numerator[along] * a.Denominator - a.Numerator[along] * to.Denominator);
   };
   return Sign(difference(b, u) * difference(c, v) - difference(b, v) * difference(c, u));
 }
@@ -178,8 +174,7 @@ bool Parallel(const std::array<Point, 5>& p)
 
 ExactPoint CrossingOf(const std::array<Point, 5>& p)
 {
-  return ExactPoint::LinePlane(
-    p[0].data(), p[1].data(), p[2].data(), p[3].data(), p[4].data());
+  return ExactPoint::LinePlane(p[0].data(), p[1].data(), p[2].data(), p[3].data(), p[4].data());
 }
 
 ExactPlane PlaneThrough(const Point& a, const Point& b, const Point& c)
@@ -248,7 +243,8 @@ void TestLinePlane()
     {
       CheckSame(point, CrossingOf({ p[0], further, p[2], p[3], p[4] }));
     }
-    // The line is where its two planes parallel to axes meet, unless it is parallel to both of them.
+    // The line is where its two planes parallel to axes meet, unless it is parallel to both of
+    // them.
     for (int axis = 0; axis < 3; ++axis)
     {
       const ExactPoint again = ExactPoint::ThreePlanes(PlaneThrough(p[2], p[3], p[4]),
@@ -279,8 +275,7 @@ void TestLineLine()
     const Point t = Combine(u, v, s, random.Between(-1, 1), random.Between(-1, 1), s);
     for (int axis = 0; axis < 3; ++axis)
     {
-      const ExactPoint point =
-        ExactPoint::LineLine(u.data(), v.data(), s.data(), t.data(), axis);
+      const ExactPoint point = ExactPoint::LineLine(u.data(), v.data(), s.data(), t.data(), axis);
       if (!point.Exists())
       {
         continue;
@@ -291,8 +286,9 @@ void TestLineLine()
       CHECK(OnLine(exact, s, t));
       CheckPoint(point);
       CheckSame(point, ExactPoint::LineLine(t.data(), s.data(), v.data(), u.data(), axis));
-      const ExactPoint again = ExactPoint::ThreePlanes(
-        ExactPlane::Vertical(s.data(), t.data(), axis), PlaneThrough(u, v, s), PlaneThrough(u, v, p[3]));
+      const ExactPoint again =
+        ExactPoint::ThreePlanes(ExactPlane::Vertical(s.data(), t.data(), axis),
+          PlaneThrough(u, v, s), PlaneThrough(u, v, p[3]));
       if (again.Exists())
       {
         CheckSame(point, again);
@@ -313,8 +309,8 @@ void TestThreePlanes()
     const std::array<Point, 5> second = AnyLineAndTriangle(i % NumberOfKinds, random);
     std::copy(first.begin(), first.end(), p.begin());
     std::copy(second.begin(), second.end(), p.begin() + 5);
-    const ExactPoint point = ExactPoint::ThreePlanes(
-      PlaneThrough(p[0], p[1], p[2]), PlaneThrough(p[3], p[4], p[5]), PlaneThrough(p[6], p[7], p[8]));
+    const ExactPoint point = ExactPoint::ThreePlanes(PlaneThrough(p[0], p[1], p[2]),
+      PlaneThrough(p[3], p[4], p[5]), PlaneThrough(p[6], p[7], p[8]));
     if (!point.Exists())
     {
       continue;
@@ -340,8 +336,8 @@ void TestWidest()
     Point point;
     for (double& x : point)
     {
-      x = static_cast<double>(
-        (random.Between(0, 1) * 2 - 1) * (LatticeLimit - random.Between(0, 1)));
+      x =
+        static_cast<double>((random.Between(0, 1) * 2 - 1) * (LatticeLimit - random.Between(0, 1)));
     }
     return point;
   };
@@ -354,8 +350,8 @@ void TestWidest()
     {
       point = corner();
     }
-    const ExactPoint point = ExactPoint::ThreePlanes(
-      PlaneThrough(p[0], p[1], p[2]), PlaneThrough(p[3], p[4], p[5]), PlaneThrough(p[6], p[7], p[8]));
+    const ExactPoint point = ExactPoint::ThreePlanes(PlaneThrough(p[0], p[1], p[2]),
+      PlaneThrough(p[3], p[4], p[5]), PlaneThrough(p[6], p[7], p[8]));
     if (!point.Exists())
     {
       continue;
@@ -441,7 +437,6 @@ void TestPointPredicates()
     const bool equal = ReferenceSame(a, b);
     CHECK_EQUAL(sb::SamePoint(a, b), equal);
     CHECK_EQUAL(sb::exact::SamePoint(a, b), equal);
-    CHECK_EQUAL(a.Fingerprint() == b.Fingerprint(), equal);
     same += equal ? 1 : 0;
 
     // Near b, so that the filter has to give up on some.
@@ -454,7 +449,8 @@ void TestPointPredicates()
         ? static_cast<std::int64_t>(near) + random.Between(-2, 2)
         : random.Between(-limit, limit);
     }
-    const Integer refined = (ra.Numerator[u] * rb.Numerator[v] - ra.Numerator[v] * rb.Numerator[u]) * 256 +
+    const Integer refined =
+      (ra.Numerator[u] * rb.Numerator[v] - ra.Numerator[v] * rb.Numerator[u]) * 256 +
       (ra.Numerator[v] * rb.Denominator - ra.Denominator * rb.Numerator[v]) * s[0] +
       (ra.Denominator * rb.Numerator[u] - ra.Numerator[u] * rb.Denominator) * s[1];
     CHECK_EQUAL(sb::Orient2DRefined(a, b, s, axis), Sign(refined));
@@ -494,7 +490,8 @@ void TestRefined()
 
     const Vector a = ToVector(T[0]);
     const Vector b = ToVector(T[1]);
-    const int turn = Sign((b[u] - a[u]) * (s[1] - 256 * a[v]) - (b[v] - a[v]) * (s[0] - 256 * a[u]));
+    const int turn =
+      Sign((b[u] - a[u]) * (s[1] - 256 * a[v]) - (b[v] - a[v]) * (s[0] - 256 * a[u]));
     CHECK_EQUAL(sb::Orient2DRefined(T[0], T[1], s, axis), turn);
     ++turns[turn + 1];
 
@@ -507,7 +504,8 @@ void TestRefined()
     const auto numerator = [&](const Plane& plane) {
       return Integer(256 * plane.Offset - plane.Normal[u] * s[0] - plane.Normal[v] * s[1]);
     };
-    const int expected = Sign(numerator(planeT) * planeG.Normal[axis] - numerator(planeG) * planeT.Normal[axis]) *
+    const int expected =
+      Sign(numerator(planeT) * planeG.Normal[axis] - numerator(planeG) * planeT.Normal[axis]) *
       Sign(planeT.Normal[axis]) * Sign(planeG.Normal[axis]);
     CHECK_EQUAL(sb::CompareHeights(T, G, s, axis), expected);
     CHECK_EQUAL(sb::CompareHeights(G, T, s, axis), -expected);
@@ -517,62 +515,6 @@ void TestRefined()
   {
     CHECK(turns[sign] > 1000);
     CHECK(heights[sign] > 1000);
-  }
-}
-
-/** Where a prime of the fingerprint divides the denominator: with a common factor, and without. */
-void TestFingerprintOfMultiples()
-{
-  const double one = 2147483648.0; // 2^31
-  const double other = 1073741824.0; // 2^30
-  for (const double gap : { 1.0, 31.0 })
-  {
-    // The normal's z is 2^31 * 2^30 - gap, the prime itself.
-    const Point a = { 0.0, 0.0, 0.0 };
-    const Point b = { one, gap, 0.0 };
-    const Point c = { 1.0, other, 0.0 };
-    const ExactPoint shared = CrossingOf({ Point{ 5.0, -7.0, 1.0 }, Point{ 5.0, -7.0, -1.0 }, a, b, c });
-    const Point expected = { 5.0, -7.0, 0.0 };
-    CHECK_EQUAL(ToInteger(shared.GetDenominator()) % ((Integer(1) << 61) - Integer(gap)), 0);
-    CheckPoint(shared);
-    CheckSame(shared, ExactPoint::Vertex(expected.data()));
-
-    const Point raised = { one, gap, 1.0 };
-    const ExactPoint lowest =
-      CrossingOf({ Point{ 1.0, 0.0, 0.0 }, Point{ 1.0, 0.0, 1.0 }, a, raised, c });
-    CheckPoint(lowest);
-    CheckSame(lowest, CrossingOf({ Point{ 1.0, 0.0, 0.0 }, Point{ 1.0, 0.0, -7.0 }, raised, a, c }));
-    const ExactPoint next =
-      CrossingOf({ Point{ 2.0, 0.0, 0.0 }, Point{ 2.0, 0.0, 1.0 }, a, raised, c });
-    CHECK(!sb::SamePoint(lowest, next));
-    CHECK(lowest.Fingerprint() != next.Fingerprint());
-  }
-}
-
-/** A fine grid of vertices: no two fingerprints alike, in either half. */
-void TestFingerprintOfGrid()
-{
-  std::vector<std::uint64_t> first;
-  std::vector<std::uint64_t> second;
-  for (int x = -24; x < 24; ++x)
-  {
-    for (int y = -24; y < 24; ++y)
-    {
-      for (int z = -24; z < 24; ++z)
-      {
-        const Point p = { x * 4294967296.0, y * 4294967296.0, z * 4294967296.0 };
-        const auto fingerprint = ExactPoint::Vertex(p.data()).Fingerprint();
-        first.push_back(fingerprint[0]);
-        second.push_back(fingerprint[1]);
-      }
-    }
-  }
-  for (std::vector<std::uint64_t>* words : { &first, &second })
-  {
-    const std::size_t count = words->size();
-    std::sort(words->begin(), words->end());
-    words->erase(std::unique(words->begin(), words->end()), words->end());
-    CHECK_EQUAL(words->size(), count);
   }
 }
 
@@ -591,7 +533,6 @@ void TestNoPoint()
     CHECK(!point.Exists());
     CHECK(!point.IsIntegral());
     CHECK(std::isnan(point.Approximation()[0]));
-    CHECK(point.Fingerprint() != vertex.Fingerprint());
     CHECK(!sb::SamePoint(point, vertex));
     CHECK_EQUAL(sb::Orient2D(point, vertex, vertex, 0), 0);
   }
@@ -602,8 +543,6 @@ void TestNoPoint()
 int main()
 {
   TestNoPoint();
-  TestFingerprintOfMultiples();
-  TestFingerprintOfGrid();
   TestPlanes();
   TestLinePlane();
   TestLineLine();

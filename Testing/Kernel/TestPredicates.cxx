@@ -90,6 +90,9 @@ void CheckProjections(const Four& p, Tally& turns, Tally& normals)
   const sb::DominantNormal dominant = sb::ComputeDominantNormal(a, b, c);
   CHECK_EQUAL(dominant.Axis, largest);
   CHECK_EQUAL(dominant.Sign, Sign(normal[largest]));
+  const sb::DominantNormal unfiltered = sb::exact::ComputeDominantNormal(a, b, c);
+  CHECK_EQUAL(unfiltered.Axis, largest);
+  CHECK_EQUAL(unfiltered.Sign, Sign(normal[largest]));
   normals.Count(dominant.Sign);
 }
 
@@ -148,7 +151,8 @@ void TestCorners()
   CHECK(tally.Negative > 1000 && tally.Zero > 1000 && tally.Positive > 1000);
 }
 
-/** A tilted plane far out, and points one step off it: products of 160 bits that differ in the last ones. */
+/** A tilted plane far out, and points one step off it: products of 160 bits that differ in the last
+ * ones. */
 void TestThinnest()
 {
   const double m = static_cast<double>(LatticeLimit);

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TestWideInteger.cxx
- * @brief Wide integers and prime fields agree with integers of any length.
+ * @brief Wide integers agree with integers of any length.
  */
 #include "Check.h"
-#include "PrimeField.h"
 #include "Reference.h"
 #include "WideInteger.h"
 
@@ -95,35 +94,9 @@ void TestLeadingBits(Random& random)
     const Integer found = (Integer(bits.High) << 64) + bits.Low;
     const Integer value = ToInteger(a);
     CHECK_EQUAL(bits.High >> 63, 1u);
-    CHECK_EQUAL(
-      found, bits.Exponent >= 0 ? Integer(value >> bits.Exponent) : Integer(value << -bits.Exponent));
+    CHECK_EQUAL(found,
+      bits.Exponent >= 0 ? Integer(value >> bits.Exponent) : Integer(value << -bits.Exponent));
   }
-}
-
-template <class Field, int Size>
-void TestField(Random& random)
-{
-  const Integer modulus = Field::Modulus;
-  for (int i = 0; i < 20000; ++i)
-  {
-    const auto a = AnyInteger<Size>(random);
-    Integer expected = ToInteger(a) % modulus;
-    expected += expected < 0 ? modulus : Integer(0);
-    const std::uint64_t residue = Field::Residue(a);
-    CHECK_EQUAL(Integer(residue), expected);
-    const std::uint64_t other = random.Word() % Field::Modulus;
-    CHECK_EQUAL(Integer(Field::Multiply(residue, other)), Integer(expected * other % modulus));
-    if (residue != 0)
-    {
-      CHECK_EQUAL(Field::Multiply(residue, Field::Inverse(residue)), 1u);
-    }
-    const auto multiple =
-      sb::Multiply(a, sb::WideInteger<1>(static_cast<std::int64_t>(Field::Modulus)));
-    CHECK_EQUAL(Field::Residue(multiple), 0u);
-    CHECK_EQUAL(ToInteger(Field::DivideExactly(multiple)), ToInteger(a));
-  }
-  CHECK_EQUAL(Field::Multiply(Field::Modulus - 1, Field::Modulus - 1), 1u);
-  CHECK_EQUAL(Field::Inverse(Field::Modulus - 1), Field::Modulus - 1);
 }
 
 void TestConstruction()
@@ -161,9 +134,5 @@ int main()
   TestLeadingBits<1>(random);
   TestLeadingBits<2>(random);
   TestLeadingBits<6>(random);
-  TestField<sb::PrimeField<1>, 1>(random);
-  TestField<sb::PrimeField<1>, 6>(random);
-  TestField<sb::PrimeField<31>, 2>(random);
-  TestField<sb::PrimeField<31>, 6>(random);
   return check::Verdict("TestWideInteger");
 }
