@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 
 namespace sb
 {
@@ -61,6 +62,7 @@ struct Chunk
   std::int32_t Surface;
   std::int64_t Begin;
   std::int64_t End;
+  std::int32_t HighestPoint = -1;
   bool Inside = false; ///< whether a first corner is in or beside the region
   std::vector<LargeTriangle> Large;
   std::vector<std::int32_t> Survivors;
@@ -176,7 +178,7 @@ std::vector<Chunk> CutIntoChunks(const Surfaces& surfaces, const std::vector<Box
     for (std::int64_t begin = 0; begin < surfaces[i].NumberOfTriangles; begin += ChunkSize)
     {
       const std::int64_t end = std::min(begin + ChunkSize, surfaces[i].NumberOfTriangles);
-      chunks.push_back({ static_cast<std::int32_t>(i), begin, end, false, {}, {} });
+      chunks.push_back({ static_cast<std::int32_t>(i), begin, end, -1, false, {}, {} });
     }
   }
   return chunks;
@@ -219,16 +221,33 @@ public:
     Grid grid{};
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      grid.SmallestSides[axis] = std::max({ this->MeanSides[axis], longest / 8, reach * 1e-6, 1e-300 });
+      grid.SmallestSides[axis] =
+        std::max({ this->MeanSides[axis], longest / 8, reach * 1e-6, 1e-300 });
       this->SetBits(grid, axis, 3);
     }
-    for (bool refined = true; refined;)
+    // Halve the cells along the axis on which they are longest for the triangles, as long as that is affordable.
+    for (std::array<bool, 3> open{ true, true, true };;)
     {
-      // Halve the cells along the axis on which they are longest for the triangles.
-      refined = false;
-      std::size_t axis = 0;
+      std::size_t longestAxis = 3;
+      double longestRatio = 1.0;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const double ratio = grid.Sides[axis] / grid.SmallestSides[axis];
+        if (open[axis] && ratio > longestRatio)
+        {
+          longestAxis = axis;
+          longestRatio = ratio;
+        }
+      }
+      if (longestAxis == 3)
+      {
+        return GridShape(this->Region, grid.Bits, grid.Sides);
+      }
+      Grid finer = grid;
+      this->SetBits(finer, longestAxis, grid.Bits[longestAxis] + 1);
+      open[longestAxis] = this->IsAffordable(finer);
+      grid = open[longestAxis] ? finer : grid;
     }
-    return GridShape(this->Region, grid.Bits, grid.Sides);
   }
 
 private:
@@ -236,6 +255,13 @@ private:
   {
     std::array<double, 3> Sides;
     double Weight; ///< how many triangles it stands for
+  };
+
+  struct Grid
+  {
+    std::array<int, 3> Bits;
+    std::array<double, 3> Sides;
+    std::array<double, 3> SmallestSides;
   };
 
   void Take(const BroadPhaseSurface& surface, const Box& region, std::int64_t usualStride)
@@ -264,29 +290,33 @@ private:
     }
   }
 
-  static std::array<double, 3> Scaled(const std::array<double, 3>& sides, int quarterOctaves)
+  void SetBits(Grid& grid, std::size_t axis, int bits) const
   {
-    const double factor = std::exp2(0.25 * quarterOctaves);
-    return { sides[0] * factor, sides[1] * factor, sides[2] * factor };
+    const double reach = this->Region.Upper[axis] - this->Region.Lower[axis];
+    grid.Bits[axis] = bits;
+    grid.Sides[axis] =
+      std::max(reach / ((1 << bits) - GridShape::Spare), grid.SmallestSides[axis]);
   }
 
-  bool Fits(const std::array<double, 3>& cellSides) const
+  bool IsAffordable(const Grid& grid) const
   {
-    double cells = 1.0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      cells *= (this->Region.Upper[axis] - this->Region.Lower[axis]) / cellSides[axis] + 1.0;
-    }
+    const int bits = grid.Bits[0] + grid.Bits[1] + grid.Bits[2];
     const double scale = std::max(this->Candidates, static_cast<double>(SampleSize));
-    if (cells > std::min(MostCells * scale, LargestGrid))
+    if (bits > MostBits || std::ldexp(1.0, bits) > MostCells * scale)
     {
       return false;
     }
     double marks = 0.0;
     for (const Element& element : this->Elements)
     {
-      marks += element.Weight * (element.Sides[0] / cellSides[0] + 1.0) *
-        (element.Sides[1] / cellSides[1] + 1.0) * (element.Sides[2] / cellSides[2] + 1.0);
+      double cells = 1.0;
+      bool large = false;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        cells *= element.Sides[axis] / grid.Sides[axis] + 1.0;
+        large = large || element.Sides[axis] > grid.Sides[axis];
+      }
+      marks += large ? element.Weight * cells : 0.0;
     }
     return marks <= MostMarks * scale;
   }
@@ -311,153 +341,270 @@ bool ForEachChunk(std::vector<Chunk>& chunks, Executor& executor, Monitor& monit
   return !monitor.Aborted();
 }
 
-void MarkChunk(Chunk& chunk, const BroadPhaseSurface& surface, const Box& region,
-  const GridShape& shape, OccupancyGrid& grid)
+/** Steps 2 to 4; the words of the grid have to hold the numbers of the surfaces twice. */
+template <class Word>
+class SurvivorSearch
 {
-  const OccupancyGrid::Owner owner = OwnerOf(chunk, surface);
-  for (std::int64_t triangle = chunk.Begin; triangle < chunk.End; ++triangle)
+public:
+  SurvivorSearch(const Surfaces& surfaces, const std::vector<Box>& regions, Executor& executor, Monitor& monitor)
+    : AllSurfaces(surfaces)
+    , Host(executor)
+    , Ear(monitor)
+    , Shape(Sample(surfaces, regions).FinestLinearGrid())
+    , Grid(this->Shape)
+    , Chunks(CutIntoChunks(surfaces, regions))
   {
-    const Box box = BoxOf(surface, triangle);
-    if (!Overlap(box, region))
+    for (const Box& region : regions)
     {
-      continue;
+      this->Insides.push_back(IsEmpty(region) ? CellRange{} : this->Shape.Cells(region));
     }
-    const CellRange cells = shape.Cells(box);
-    OccupancyGrid::Block block = NoBlock;
-    if (cells.Count() > MostCellsOfSmall)
-    {
-      chunk.Large.push_back(cells);
-    }
-    else
-    {
-      block = grid.ToBlock(cells);
-      grid.Mark(block, owner);
-    }
-    chunk.Candidates.push_back({ static_cast<std::int32_t>(triangle), block });
   }
-}
 
-/** How many cells each of the large triangles may touch for all of them to stay linear in the candidates. */
-std::int64_t MostCellsOfLarge(const std::vector<Chunk>& chunks)
-{
-  std::size_t large = 0;
-  std::size_t candidates = 0;
-  for (const Chunk& chunk : chunks)
+  std::vector<Survivor> Run()
   {
-    large += chunk.Large.size();
-    candidates += chunk.Candidates.size();
+    this->MakePointBlocks();
+    this->ForEach(this->Blocks, [this](const PointBlock& block) { this->MarkPoints(block); });
+    this->ForEach(this->Chunks, [this](Chunk& chunk) { this->FindLarge(chunk); });
+    const std::int64_t mostCells = this->MarkLarge();
+    if (this->Ear.Aborted())
+    {
+      return {};
+    }
+    this->Grid.Spread(this->Host);
+    this->ForEach(this->Chunks, [this, mostCells](Chunk& chunk) { this->Keep(chunk, mostCells); });
+    return this->Gather();
   }
-  return std::max(MostCellsOfSmall,
-    static_cast<std::int64_t>(2 * candidates / std::max<std::size_t>(large, 1)));
-}
 
-/** Mark for the large triangles, each on the finest level where it touches no more than `mostCells`. */
-void MarkLarge(const std::vector<Chunk>& chunks, const Surfaces& surfaces, std::int64_t mostCells,
-  OccupancyGrid& grid, Executor& executor)
-{
-  struct Task
+private:
+  static constexpr std::uint32_t InsideBit = GridShape::HighestBit;
+
+  /** A range of one surface's points. */
+  struct PointBlock
   {
-    CellRange Cells;
-    std::size_t Level;
-    OccupancyGrid::Owner Owner;
+    std::size_t Surface;
+    std::int64_t Begin;
+    std::int64_t End;
   };
-  std::vector<Task> tasks;
-  for (const Chunk& chunk : chunks)
+
+  /** Run body(item) for all items in parallel, unless the caller wants to stop. */
+  template <class Item, class Body>
+  void ForEach(std::vector<Item>& items, Body&& body)
   {
-    for (const CellRange& cells : chunk.Large)
-    {
-      const std::size_t level = cells.LevelFor(mostCells);
-      grid.AddLevelsUpTo(level);
-      tasks.push_back(
-        { cells, level, OwnerOf(chunk, surfaces[static_cast<std::size_t>(chunk.Surface)]) });
-    }
-  }
-  executor.For(
-    static_cast<std::int64_t>(tasks.size()), 1, [&](std::int64_t begin, std::int64_t end) {
-      for (std::int64_t i = begin; i < end; ++i)
+    this->Host.For(static_cast<std::int64_t>(items.size()), 1, [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t i = begin; i < end && !this->Ear.Aborted(); ++i)
       {
-        const Task& task = tasks[static_cast<std::size_t>(i)];
-        grid.Mark(task.Cells, task.Level, task.Owner);
+        body(items[static_cast<std::size_t>(i)]);
       }
     });
-  grid.HandDown(executor);
-}
+  }
 
-/** Large triangles that were marked coarsely survive unasked: they have been too many to be asked one by one. */
-void KeepSurvivors(Chunk& chunk, const OccupancyGrid& grid, std::int64_t mostCells)
-{
-  auto large = chunk.Large.begin();
-  for (const Chunk::Candidate& candidate : chunk.Candidates)
+  /** The mark of a surface; one that is to meet itself marks as two. */
+  Word MarkOf(std::size_t surface) const
   {
-    bool keep;
-    if (candidate.Cells.First != NoBlock.First)
+    return this->AllSurfaces[surface].Self ? OccupancyGrid<Word>::Everybody
+                                           : OccupancyGrid<Word>::MarkOf(static_cast<std::int32_t>(surface));
+  }
+
+  /** How many points the surfaces' triangles refer to; blocks of them. */
+  void MakePointBlocks()
+  {
+    this->ForEach(this->Chunks, [this](Chunk& chunk) {
+      const std::int32_t* const ids = this->AllSurfaces[static_cast<std::size_t>(chunk.Surface)].Triangles;
+      chunk.HighestPoint = *std::max_element(ids + 3 * chunk.Begin, ids + 3 * chunk.End);
+    });
+    std::vector<std::int64_t> numbersOfPoints(this->AllSurfaces.size(), 0);
+    for (const Chunk& chunk : this->Chunks)
     {
-      keep = grid.AnyShared(candidate.Cells);
+      std::int64_t& number = numbersOfPoints[static_cast<std::size_t>(chunk.Surface)];
+      number = std::max<std::int64_t>(number, chunk.HighestPoint + 1);
     }
-    else
+    std::int64_t total = 0;
+    for (std::size_t surface = 0; surface < numbersOfPoints.size(); ++surface)
     {
-      keep = large->Count() > mostCells || grid.AnyShared(*large);
-      ++large;
+      this->FirstCodes.push_back(total);
+      total += numbersOfPoints[surface];
+      for (std::int64_t begin = 0; begin < numbersOfPoints[surface]; begin += ChunkSize)
+      {
+        this->Blocks.push_back({ surface, begin, std::min(begin + ChunkSize, numbersOfPoints[surface]) });
+      }
     }
-    if (keep)
+    this->Codes.reset(new std::uint32_t[static_cast<std::size_t>(total)]);
+  }
+
+  std::uint32_t* CodesOf(std::size_t surface) const { return this->Codes.get() + this->FirstCodes[surface]; }
+
+  void MarkPoints(const PointBlock& block)
+  {
+    const double* const points = this->AllSurfaces[block.Surface].Points;
+    std::uint32_t* const codes = this->CodesOf(block.Surface);
+    const CellRange& inside = this->Insides[block.Surface];
+    const Word mark = this->MarkOf(block.Surface);
+    for (std::int64_t i = block.Begin; i < block.End; ++i)
     {
-      chunk.Survivors.push_back(candidate.Triangle);
+      std::array<std::int32_t, 3> cell;
+      bool isInside = true;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const std::int32_t first = inside.First[axis] - 2;
+        const std::int32_t last = inside.Last[axis] + 2;
+        cell[axis] = this->Shape.Cell(points[3 * i + static_cast<std::int64_t>(axis)], axis, first, last);
+        isInside = isInside & (cell[axis] != first) & (cell[axis] != last);
+      }
+      const std::uint32_t code = this->Shape.Code(cell[0], cell[1], cell[2]);
+      codes[i] = isInside ? code | InsideBit : code;
+      if (isInside)
+      {
+        this->Grid.MarkCell(this->Shape.Index(code), mark);
+      }
     }
   }
-  std::vector<Chunk::Candidate>().swap(chunk.Candidates);
-}
 
-/** All survivors, sorted by surface and triangle as the chunks are. */
-std::vector<Survivor> Gather(const std::vector<Chunk>& chunks)
-{
-  std::size_t count = 0;
-  for (const Chunk& chunk : chunks)
+  void FindLarge(Chunk& chunk)
   {
-    count += chunk.Survivors.size();
-  }
-  std::vector<Survivor> survivors;
-  survivors.reserve(count);
-  for (const Chunk& chunk : chunks)
-  {
-    for (const std::int32_t triangle : chunk.Survivors)
+    const std::size_t surface = static_cast<std::size_t>(chunk.Surface);
+    const std::int32_t* const triangles = this->AllSurfaces[surface].Triangles;
+    const std::uint32_t* const codes = this->CodesOf(surface);
+    std::uint32_t any = 0;
+    for (std::int64_t triangle = chunk.Begin; triangle < chunk.End; ++triangle)
     {
-      survivors.push_back({ chunk.Surface, triangle });
+      const std::int32_t* const corners = triangles + 3 * triangle;
+      const std::uint32_t a = codes[corners[0]];
+      const std::uint32_t b = codes[corners[1]];
+      const std::uint32_t c = codes[corners[2]];
+      any |= a;
+      if (!this->Shape.AreNeighbours(a & ~InsideBit, b & ~InsideBit) || !this->Shape.AreNeighbours(a & ~InsideBit, c & ~InsideBit))
+      {
+        const CellRange cells = this->CellsOfTriangle(a, b, c, this->Insides[surface]);
+        if (!cells.IsEmpty())
+        {
+          chunk.Large.push_back({ static_cast<std::int32_t>(triangle), cells });
+        }
+      }
     }
+    chunk.Inside = (any & InsideBit) != 0;
   }
-  return survivors;
-}
 
-/** Steps 1 to 3. */
+  /** The cells that the box of a triangle touches in its surface's region. */
+  CellRange CellsOfTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, const CellRange& inside) const
+  {
+    CellRange cells;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const auto [lowest, highest] = std::minmax({ this->Shape.CellOfCode(a, axis), this->Shape.CellOfCode(b, axis), this->Shape.CellOfCode(c, axis) });
+      cells.First[axis] = std::max(lowest, inside.First[axis]);
+      cells.Last[axis] = std::min(highest, inside.Last[axis]);
+    }
+    return cells;
+  }
+
+  /**
+   * Mark for the large triangles, each on the finest level where it touches few enough cells for all of them to stay
+   * linear in the triangles. Returns that number of cells.
+   */
+  std::int64_t MarkLarge()
+  {
+    std::int64_t large = 0;
+    std::int64_t triangles = 0;
+    for (const Chunk& chunk : this->Chunks)
+    {
+      large += static_cast<std::int64_t>(chunk.Large.size());
+      triangles += chunk.End - chunk.Begin;
+    }
+    const std::int64_t mostCells = std::max(CellsOfAnyLarge, 2 * triangles / std::max<std::int64_t>(large, 1));
+    for (const Chunk& chunk : this->Chunks)
+    {
+      for (const Chunk::LargeTriangle& triangle : chunk.Large)
+      {
+        this->Grid.AddLevelsUpTo(triangle.Cells.LevelFor(mostCells));
+      }
+    }
+    this->ForEach(this->Chunks, [this, mostCells](const Chunk& chunk) {
+      for (const Chunk::LargeTriangle& triangle : chunk.Large)
+      {
+        this->Grid.MarkRange(triangle.Cells, triangle.Cells.LevelFor(mostCells),
+          this->MarkOf(static_cast<std::size_t>(chunk.Surface)));
+      }
+    });
+    return mostCells;
+  }
+
+  /** Of the large triangles, those that touch more than `mostCells` cells survive unasked. */
+  void Keep(Chunk& chunk, std::int64_t mostCells) const
+  {
+    if (chunk.Inside)
+    {
+      const std::size_t surface = static_cast<std::size_t>(chunk.Surface);
+      const std::int32_t* const triangles = this->AllSurfaces[surface].Triangles;
+      const std::uint32_t* const codes = this->CodesOf(surface);
+      for (std::int64_t triangle = chunk.Begin; triangle < chunk.End; ++triangle)
+      {
+        if (this->Grid.IsNearShared(this->Shape.Index(codes[triangles[3 * triangle]])))
+        {
+          chunk.Survivors.push_back(static_cast<std::int32_t>(triangle));
+        }
+      }
+    }
+    if (chunk.Large.empty())
+    {
+      return;
+    }
+    for (const Chunk::LargeTriangle& triangle : chunk.Large)
+    {
+      if (triangle.Cells.Count() > mostCells || this->Grid.IsNearShared(triangle.Cells))
+      {
+        chunk.Survivors.push_back(triangle.Triangle);
+      }
+    }
+    std::sort(chunk.Survivors.begin(), chunk.Survivors.end());
+    chunk.Survivors.erase(std::unique(chunk.Survivors.begin(), chunk.Survivors.end()), chunk.Survivors.end());
+  }
+
+  /** All survivors, sorted by surface and triangle as the chunks are. */
+  std::vector<Survivor> Gather() const
+  {
+    std::size_t count = 0;
+    for (const Chunk& chunk : this->Chunks)
+    {
+      count += chunk.Survivors.size();
+    }
+    std::vector<Survivor> survivors;
+    survivors.reserve(count);
+    for (const Chunk& chunk : this->Chunks)
+    {
+      for (const std::int32_t triangle : chunk.Survivors)
+      {
+        survivors.push_back({ chunk.Surface, triangle });
+      }
+    }
+    return survivors;
+  }
+
+  const Surfaces& AllSurfaces;
+  Executor& Host;
+  Monitor& Ear;
+  GridShape Shape;
+  OccupancyGrid<Word> Grid;
+  std::vector<Chunk> Chunks;
+  std::vector<CellRange> Insides; ///< [surface], the cells of its region
+  std::vector<PointBlock> Blocks;
+  std::vector<std::int64_t> FirstCodes; ///< [surface], where its points' codes start
+  std::unique_ptr<std::uint32_t[]> Codes; ///< of all points of all surfaces, with InsideBit where they mark
+};
+
 std::vector<Survivor> FindSurvivors(const Surfaces& surfaces, const Neighbourhood& neighbourhood,
   Executor& executor, Monitor& monitor)
 {
   const std::vector<Box> regions = FindRegions(surfaces, neighbourhood);
-  std::vector<Chunk> chunks = CutIntoChunks(surfaces, regions);
-  if (chunks.empty())
+  if (std::all_of(regions.begin(), regions.end(), IsEmpty))
   {
     return {};
   }
-  const GridShape shape = Sample(surfaces, regions).FinestLinearGrid();
-  OccupancyGrid grid(shape.CellsAnAxis());
-  const auto mark = [&](Chunk& chunk) {
-    const std::size_t i = static_cast<std::size_t>(chunk.Surface);
-    MarkChunk(chunk, surfaces[i], regions[i], shape, grid);
-  };
-  if (!ForEachChunk(chunks, executor, monitor, mark))
-  {
-    return {};
-  }
-  const std::int64_t mostCells = MostCellsOfLarge(chunks);
-  MarkLarge(chunks, surfaces, mostCells, grid, executor);
-  const auto keep = [&](Chunk& chunk) { KeepSurvivors(chunk, grid, mostCells); };
-  if (!ForEachChunk(chunks, executor, monitor, keep))
-  {
-    return {};
-  }
-  return Gather(chunks);
+  return surfaces.size() <= 16
+    ? SurvivorSearch<std::uint8_t>(surfaces, regions, executor, monitor).Run()
+    : SurvivorSearch<std::uint32_t>(surfaces, regions, executor, monitor).Run();
 }
 
-/** What a surface does in step 4. */
+/** What a surface does in step 5. */
 struct Role
 {
   std::int64_t NumberOfSurvivors = 0;
@@ -491,7 +638,7 @@ std::vector<Role> AssignRoles(const Surfaces& surfaces, const Neighbourhood& nei
   return roles;
 }
 
-/** Step 4. A pair is found as the numbers of its two survivors, the lower one in the upper half. */
+/** Step 5. A pair is found as the numbers of its two survivors, the lower one in the upper half. */
 class PairSearch
 {
 public:

@@ -5,6 +5,7 @@
 #include "OutputAssembly.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace sb
 {
@@ -87,6 +88,12 @@ private:
       }
     }
     std::sort(this->Ends.begin(), this->Ends.end());
+    this->FirstEnd.assign(std::size_t(this->Cuts.Nodes.Size()) + 1, 0);
+    for (const EndOfSegment& end : this->Ends)
+    {
+      ++this->FirstEnd[std::size_t(end.Node) + 1];
+    }
+    std::partial_sum(this->FirstEnd.begin(), this->FirstEnd.end(), this->FirstEnd.begin());
   }
 
   std::int32_t FaceOf(const EdgeUse& use) const
@@ -148,14 +155,13 @@ private:
       { a - this->World.FirstFace(operandA), b - this->World.FirstFace(operandB) } };
   }
 
-  std::pair<std::vector<EndOfSegment>::const_iterator, std::vector<EndOfSegment>::const_iterator>
-  EndsAt(NodeId node) const
+  /** The range of Ends at a node. */
+  std::pair<std::size_t, std::size_t> EndsAt(NodeId node) const
   {
-    return { std::lower_bound(this->Ends.begin(), this->Ends.end(), EndOfSegment{ node, -1 }),
-      std::lower_bound(this->Ends.begin(), this->Ends.end(), EndOfSegment{ node + 1, -1 }) };
+    return { this->FirstEnd[std::size_t(node)], this->FirstEnd[std::size_t(node) + 1] };
   }
 
-  std::ptrdiff_t Degree(NodeId node) const
+  std::size_t Degree(NodeId node) const
   {
     const auto [begin, end] = this->EndsAt(node);
     return end - begin;
@@ -192,11 +198,11 @@ private:
       if (this->Degree(node) == 2)
       {
         const auto [begin, end] = this->EndsAt(node);
-        for (auto it = begin; it != end; ++it)
+        for (std::size_t i = begin; i < end; ++i)
         {
-          if (!this->Taken[std::size_t(it->Segment)])
+          if (!this->Taken[std::size_t(this->Ends[i].Segment)])
           {
-            segment = it->Segment;
+            segment = this->Ends[i].Segment;
           }
         }
       }
@@ -207,7 +213,8 @@ private:
   const Scene& World;
   const Arrangement& Cuts;
   std::vector<Segment> Segments;
-  std::vector<EndOfSegment> Ends;
+  std::vector<EndOfSegment> Ends; ///< sorted
+  std::vector<std::size_t> FirstEnd; ///< [node]
   std::vector<std::uint8_t> Taken;
   std::vector<std::int32_t> PointOfNode;
   Curves Result;

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceInput.h"
+
+#include "AttributeUnion.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace sbvtk
+{
+namespace
+{
+
+std::string Refusal(vtkDataObject* data)
+{
+  return std::string("is of type ") + data->GetClassName() +
+    ", not a polygonal surface; apply Extract Surface to it first.";
+}
+
+/** Points of all leaves in one array, single precision only if all have it. */
+vtkSmartPointer<vtkPoints> MergedPoints(const std::vector<vtkPolyData*>& leaves)
+{
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataType(VTK_FLOAT);
+  vtkIdType numberOfPoints = 0;
+  for (vtkPolyData* leaf : leaves)
+  {
+    numberOfPoints += leaf->GetNumberOfPoints();
+    if (leaf->GetPoints() && leaf->GetPoints()->GetDataType() != VTK_FLOAT)
+    {
+      points->SetDataType(VTK_DOUBLE);
+    }
+  }
+  points->SetNumberOfPoints(numberOfPoints);
+  vtkIdType first = 0;
+  for (vtkPolyData* leaf : leaves)
+  {
+    if (leaf->GetNumberOfPoints() > 0)
+    {
+      points->InsertPoints(first, leaf->GetNumberOfPoints(), 0, leaf->GetPoints());
+      first += leaf->GetNumberOfPoints();
+    }
+  }
+  return points;
+}
+
+/** Cells of one kind of all leaves, in the order of the leaves. */
+vtkSmartPointer<vtkCellArray> MergedCells(
+  const std::vector<vtkPolyData*>& leaves, vtkCellArray* (vtkPolyData::*cellsOf)())
+{
+  const auto cells = vtkSmartPointer<vtkCellArray>::New();
+  vtkIdType firstPoint = 0;
+  for (vtkPolyData* leaf : leaves)
+  {
+    cells->Append((leaf->*cellsOf)(), firstPoint);
+    firstPoint += leaf->GetNumberOfPoints();
+  }
+  return cells;
+}
+
+/** Numbers from 0 on, for as many as the largest leaf has tuples. */
+std::vector<vtkIdType> Identity(std::int64_t count)
+{
+  std::vector<vtkIdType> ids(count);
+  std::iota(ids.begin(), ids.end(), 0);
+  return ids;
+}
+
+void MergePointArrays(
+  const std::vector<vtkPolyData*>& leaves, vtkPolyData* merged, sb::Executor& executor)
+{
+  std::vector<AttributeUnion::Source> sources;
+  TupleSources from;
+  std::int64_t most = 0;
+  for (vtkPolyData* leaf : leaves)
+  {
+    sources.push_back({ leaf->GetPointData(), leaf->GetNumberOfPoints(), "a block" });
+    most = std::max<std::int64_t>(most, leaf->GetNumberOfPoints());
+  }
+  const std::vector<vtkIdType> ids = Identity(most);
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+  {
+    from.Runs.push_back({ static_cast<std::int32_t>(leaf), from.NumberOfTuples,
+      leaves[leaf]->GetNumberOfPoints(), nullptr, ids.data() });
+    from.NumberOfTuples += leaves[leaf]->GetNumberOfPoints();
+  }
+  AttributeUnion(sources, "point").CopyTo(merged->GetPointData(), from, executor);
+}
+
+/** As the points, but the merged cells are ordered by kind first: all vertices, all lines,
+ * polygons, strips. */
+void MergeCellArrays(
+  const std::vector<vtkPolyData*>& leaves, vtkPolyData* merged, sb::Executor& executor)
+{
+  std::vector<AttributeUnion::Source> sources;
+  std::int64_t most = 0;
+  for (vtkPolyData* leaf : leaves)
+  {
+    sources.push_back({ leaf->GetCellData(), leaf->GetNumberOfCells(), "a block" });
+    most = std::max<std::int64_t>(most, leaf->GetNumberOfCells());
+  }
+  const std::vector<vtkIdType> ids = Identity(most);
+  std::vector<std::int64_t> firstOfKind(leaves.size(), 0);
+  TupleSources from;
+  for (const auto cellsOf : { &vtkPolyData::GetVerts, &vtkPolyData::GetLines,
+         &vtkPolyData::GetPolys, &vtkPolyData::GetStrips })
+  {
+    for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+    {
+      const std::int64_t count = (leaves[leaf]->*cellsOf)()->GetNumberOfCells();
+      from.Runs.push_back({ static_cast<std::int32_t>(leaf), from.NumberOfTuples, count, nullptr,
+        ids.data() + firstOfKind[leaf] });
+      from.NumberOfTuples += count;
+      firstOfKind[leaf] += count;
+    }
+  }
+  AttributeUnion(sources, "cell").CopyTo(merged->GetCellData(), from, executor);
+}
+
+vtkSmartPointer<vtkPolyData> Merge(const std::vector<vtkPolyData*>& leaves, sb::Executor& executor)
+{
+  const auto merged = vtkSmartPointer<vtkPolyData>::New();
+  merged->SetPoints(MergedPoints(leaves));
+  merged->SetVerts(MergedCells(leaves, &vtkPolyData::GetVerts));
+  merged->SetLines(MergedCells(leaves, &vtkPolyData::GetLines));
+  merged->SetPolys(MergedCells(leaves, &vtkPolyData::GetPolys));
+  merged->SetStrips(MergedCells(leaves, &vtkPolyData::GetStrips));
+  MergePointArrays(leaves, merged, executor);
+  MergeCellArrays(leaves, merged, executor);
+  return merged;
+}
+
+} // namespace
+
+std::string SurfaceInput::Read(vtkDataObject* data, sb::Executor& executor)
+{
+  if (vtkPolyData* surface = vtkPolyData::SafeDownCast(data))
+  {
+    this->Current = surface;
+    this->LeafTimes.clear();
+    return "";
+  }
+  vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (!composite)
+  {
+    return data ? Refusal(data) : "has no data; update the filter before it.";
+  }
+  std::vector<vtkPolyData*> leaves;
+  std::vector<vtkMTimeType> leafTimes;
+  const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    vtkPolyData* leaf = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject());
+    if (!leaf)
+    {
+      return "has a block that " + Refusal(iterator->GetCurrentDataObject());
+    }
+    leaves.push_back(leaf);
+    leafTimes.push_back(leaf->GetMTime());
+  }
+  if (leafTimes.empty() || leafTimes != this->LeafTimes)
+  {
+    this->Current =
+      leaves.size() == 1 ? vtkSmartPointer<vtkPolyData>(leaves.front()) : Merge(leaves, executor);
+    this->LeafTimes = leafTimes;
+  }
+  return "";
+}
+
+} // namespace sbvtk

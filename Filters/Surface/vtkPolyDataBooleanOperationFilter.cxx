@@ -1,0 +1,482 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPolyDataBooleanOperationFilter.h"
+
+#include "AttributeUnion.h"
+#include "ConditionSentences.h"
+#include "KernelExecutor.h"
+#include "OperandSurface.h"
+#include "ResultCurves.h"
+#include "ResultMeasures.h"
+#include "ResultSurface.h"
+#include "SurfaceInput.h"
+#include "TimeSteps.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <new>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkPolyDataBooleanOperationFilter);
+
+namespace
+{
+
+template <typename Array, typename Value>
+void AddField(vtkPolyData* output, const char* name, const std::vector<Value>& values)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    array->SetValue(static_cast<vtkIdType>(i), values[i]);
+  }
+  output->GetFieldData()->AddArray(array);
+}
+
+/** Seconds since the last call, or since construction. */
+class Stopwatch
+{
+public:
+  double Lap()
+  {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - this->Last).count();
+    this->Last = now;
+    return seconds;
+  }
+
+private:
+  std::chrono::steady_clock::time_point Last = std::chrono::steady_clock::now();
+};
+
+} // namespace
+
+/** One connection of a port, and what is known of it from the last update. */
+struct vtkPolyDataBooleanOperationFilter::Connection
+{
+  std::string Name; ///< for sentences: "Input", "Tool 2"
+  sb::Group Side = sb::Group::Input;
+  sbvtk::SurfaceInput Input;
+  std::shared_ptr<sbvtk::OperandSurface> Surface;
+};
+
+struct vtkPolyDataBooleanOperationFilter::Cache
+{
+  std::vector<Connection> Connections;
+};
+
+/** One update: its steps in their order, and what they share. */
+class vtkPolyDataBooleanOperationFilter::Run
+{
+public:
+  Run(vtkPolyDataBooleanOperationFilter* filter, vtkInformationVector** inputs,
+    vtkInformationVector* outputs)
+    : Filter(filter)
+    , Inputs(inputs)
+    , Surface(vtkPolyData::GetData(outputs, 0))
+    , Curves(vtkPolyData::GetData(outputs, 1))
+  {
+  }
+
+  void Execute();
+
+private:
+  struct Failure
+  {
+    int Status;
+    std::string Sentence;
+  };
+
+  void NameConnections();
+  void CheckSettings() const;
+  void ReadInputs();
+  void Compute();
+  void Report();
+  void BuildOutputs();
+  sbvtk::AttributeUnion Attributes(bool ofPoints);
+  void Warn(const sbvtk::AttributeUnion& attributes);
+  bool AllFloat() const;
+  void Fail(const Failure& failure);
+  void AddFields(int status, const std::string& message);
+
+  vtkPolyDataBooleanOperationFilter* Filter;
+  vtkInformationVector** Inputs;
+  vtkPolyData* Surface;
+  vtkPolyData* Curves;
+  sbvtk::KernelExecutor Executor;
+  Stopwatch Watch;
+  std::vector<std::shared_ptr<sbvtk::OperandSurface>> Operands;
+  std::vector<sb::StageTime> Times;
+  sb::BooleanResult Result;
+  sbvtk::ResultMeasures Measures;
+};
+
+//------------------------------------------------------------------------------
+void vtkPolyDataBooleanOperationFilter::Run::Execute()
+{
+  try
+  {
+    this->NameConnections();
+    this->CheckSettings();
+    this->ReadInputs();
+    this->Compute();
+    this->Report();
+    this->BuildOutputs();
+  }
+  catch (const Failure& failure)
+  {
+    this->Fail(failure);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Fail({ OUT_OF_MEMORY,
+      "The result does not fit into memory; decimate the inputs or close other data first." });
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Match the connections with those of the last update, whose conversions may still serve. */
+void vtkPolyDataBooleanOperationFilter::Run::NameConnections()
+{
+  std::vector<Connection> connections;
+  std::vector<Connection>& last = this->Filter->Inputs->Connections;
+  for (const sb::Group side : { sb::Group::Input, sb::Group::Tool })
+  {
+    const bool isInput = side == sb::Group::Input;
+    const int count = this->Inputs[isInput ? 0 : 1]->GetNumberOfInformationObjects();
+    for (int i = 0; i < count; ++i)
+    {
+      const std::string name =
+        std::string(isInput ? "Input" : "Tool") + (count > 1 ? " " + std::to_string(i + 1) : "");
+      const auto known = std::find_if(last.begin(), last.end(),
+        [&name](const Connection& connection) { return connection.Name == name; });
+      connections.push_back(known == last.end() ? Connection() : *known);
+      connections.back().Name = name;
+      connections.back().Side = side;
+    }
+  }
+  last.swap(connections);
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyDataBooleanOperationFilter::Run::CheckSettings() const
+{
+  const int badRequest = static_cast<int>(sb::Status::BadRequest);
+  const int operation = this->Filter->Operation;
+  if (operation < VTK_UNION || operation > VTK_RESOLVE)
+  {
+    throw Failure{ badRequest,
+      "Operation is " + std::to_string(operation) +
+        "; set it to 0 (Union), 1 (Intersection), 2 (Difference), 3 (Symmetric Difference) or 4 "
+        "(Resolve)." };
+  }
+  if (!std::isfinite(this->Filter->Tolerance) || this->Filter->Tolerance < 0.0)
+  {
+    throw Failure{ badRequest,
+      "Tolerance is " + std::to_string(this->Filter->Tolerance) +
+        "; set it to 0 or a small positive length." };
+  }
+  const int numberOfInputs = this->Inputs[0]->GetNumberOfInformationObjects();
+  const int numberOfTools = this->Inputs[1]->GetNumberOfInformationObjects();
+  const bool needsTool = operation == VTK_DIFFERENCE || operation == VTK_SYMMETRIC_DIFFERENCE ||
+    (operation == VTK_INTERSECTION && numberOfInputs == 1);
+  if (needsTool && numberOfTools == 0)
+  {
+    const char* names[] = { "union", "intersection", "difference", "symmetric difference",
+      "resolve" };
+    throw Failure{ MISSING_TOOL,
+      std::string("The ") + names[operation] +
+        " needs a second surface, but Tool has none; set Tool (in ParaView: right-click the filter "
+        "in the Pipeline Browser, Change Input)." };
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyDataBooleanOperationFilter::Run::ReadInputs()
+{
+  std::vector<Connection>& connections = this->Filter->Inputs->Connections;
+  int place[2] = { 0, 0 };
+  for (Connection& connection : connections)
+  {
+    const int port = connection.Side == sb::Group::Input ? 0 : 1;
+    const std::string refusal = connection.Input.Read(
+      vtkDataObject::GetData(this->Inputs[port], place[port]++), this->Executor);
+    if (!refusal.empty())
+    {
+      throw Failure{ NOT_A_SURFACE, connection.Name + " " + refusal };
+    }
+    vtkPolyData* surface = connection.Input.Surface();
+    if (!sbvtk::OperandSurface::FitsInt32(surface))
+    {
+      sb::Remark remark;
+      remark.Condition = sb::Status::TooLarge;
+      throw Failure{ static_cast<int>(remark.Condition),
+        sbvtk::ConditionSentence(remark, connection.Name, -1) };
+    }
+    if (connection.Surface && connection.Surface->IsConversionOf(surface))
+    {
+      connection.Surface->SetAttributesFrom(surface);
+    }
+    else
+    {
+      connection.Surface
+        .reset(); // before its successor is made, so that both never need memory together
+      connection.Surface = std::make_shared<sbvtk::OperandSurface>(surface, this->Executor);
+    }
+    this->Operands.push_back(connection.Surface);
+  }
+  this->Times.push_back({ "Read inputs", this->Watch.Lap() });
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyDataBooleanOperationFilter::Run::Compute()
+{
+  sb::BooleanRequest request;
+  request.Op = static_cast<sb::Operation>(this->Filter->Operation);
+  request.Tolerance = this->Filter->Tolerance;
+  for (const Connection& connection : this->Filter->Inputs->Connections)
+  {
+    request.Operands.push_back({ connection.Surface->Mesh(), connection.Side,
+      connection.Surface->Examination(this->Executor) });
+  }
+  const bool seamsCarryArrays = !this->Attributes(true).IsEmpty();
+  sbvtk::KernelMonitor monitor(this->Filter, 0.05, 0.9);
+  this->Result = sb::ComputeBoolean(request,
+    seamsCarryArrays ? sb::SeamPoints::PerSide : sb::SeamPoints::Shared, this->Executor, monitor);
+  this->Times.insert(this->Times.end(), this->Result.Times.begin(), this->Result.Times.end());
+  this->Watch.Lap();
+}
+
+//------------------------------------------------------------------------------
+/** Say what the kernel remarked; a grave remark ends the update. */
+void vtkPolyDataBooleanOperationFilter::Run::Report()
+{
+  for (const sb::Remark& remark : this->Result.Remarks)
+  {
+    const bool placed = remark.Operand >= 0;
+    const std::string name =
+      placed ? this->Filter->Inputs->Connections[remark.Operand].Name : std::string("An input");
+    const std::int64_t cell = placed && remark.Triangle >= 0
+      ? this->Operands[remark.Operand]->CellOfTriangle(remark.Triangle)
+      : -1;
+    const std::string sentence = sbvtk::ConditionSentence(remark, name, cell);
+    if (sb::IsError(remark.Condition))
+    {
+      throw Failure{ static_cast<int>(remark.Condition), sentence };
+    }
+    if (remark.Condition != sb::Status::Ok)
+    {
+      vtkWarningWithObjectMacro(this->Filter, << sentence);
+    }
+  }
+  if (sb::IsError(this->Result.Condition))
+  {
+    sb::Remark remark;
+    remark.Condition = this->Result.Condition;
+    throw Failure{ static_cast<int>(this->Result.Condition),
+      sbvtk::ConditionSentence(remark, "An input", -1) };
+  }
+}
+
+//------------------------------------------------------------------------------
+sbvtk::AttributeUnion vtkPolyDataBooleanOperationFilter::Run::Attributes(bool ofPoints)
+{
+  std::vector<sbvtk::AttributeUnion::Source> sources;
+  for (const Connection& connection : this->Filter->Inputs->Connections)
+  {
+    vtkPolyData* data = connection.Surface->Data();
+    sbvtk::AttributeUnion::Source source;
+    source.Attributes =
+      ofPoints ? static_cast<vtkDataSetAttributes*>(data->GetPointData()) : data->GetCellData();
+    source.NumberOfTuples = ofPoints ? data->GetNumberOfPoints() : data->GetNumberOfCells();
+    source.Name = connection.Name;
+    sources.push_back(source);
+  }
+  return sbvtk::AttributeUnion(sources, ofPoints ? "point" : "cell");
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyDataBooleanOperationFilter::Run::Warn(const sbvtk::AttributeUnion& attributes)
+{
+  for (const std::string& sentence : attributes.Warnings())
+  {
+    vtkWarningWithObjectMacro(this->Filter, << sentence);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkPolyDataBooleanOperationFilter::Run::AllFloat() const
+{
+  return std::all_of(this->Operands.begin(), this->Operands.end(),
+    [](const std::shared_ptr<sbvtk::OperandSurface>& operand) {
+      vtkPoints* points = operand->Data()->GetPoints();
+      return !points || points->GetNumberOfPoints() == 0 ||
+        vtkFloatArray::FastDownCast(points->GetData()) != nullptr;
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyDataBooleanOperationFilter::Run::BuildOutputs()
+{
+  const bool difference = this->Filter->Operation == VTK_DIFFERENCE ||
+    this->Filter->Operation == VTK_SYMMETRIC_DIFFERENCE;
+  const sbvtk::AttributeUnion pointArrays = this->Attributes(true);
+  const sbvtk::AttributeUnion cellArrays = this->Attributes(false);
+  this->Warn(pointArrays);
+  this->Warn(cellArrays);
+
+  sbvtk::ResultOptions options;
+  options.SinglePrecision = this->AllFloat();
+  options.TurnReversed = !difference || this->Filter->ReorientDifferenceCells;
+  options.SeparateReversed = pointArrays.HasNormals();
+  options.KeepReversal = pointArrays.HasNormals() || cellArrays.HasNormals();
+  const sbvtk::ResultSurface result(this->Operands, this->Result, options, this->Executor);
+  pointArrays.CopyTo(this->Surface->GetPointData(), result.Points(), this->Executor);
+  cellArrays.CopyTo(this->Surface->GetCellData(), result.Cells(), this->Executor);
+  if (result.HasReversed())
+  {
+    std::vector<std::int32_t> operands;
+    std::vector<std::uint8_t> reversed;
+    result.FindReversedPoints(operands, reversed);
+    pointArrays.NegateNormals(this->Surface->GetPointData(), operands, reversed);
+    cellArrays.NegateNormals(
+      this->Surface->GetCellData(), result.OperandsOfCells(), result.ReversedCells());
+  }
+  result.CopyTo(
+    this->Surface, this->Executor); // last, as SourceId of an earlier Boolean gives way to ours
+  sbvtk::CopyCurves(this->Result.Intersection, options.SinglePrecision, this->Curves);
+  this->Measures = sbvtk::MeasureResult(this->Operands, this->Result, this->Executor);
+  this->Times.push_back({ "Build outputs", this->Watch.Lap() });
+
+  const auto gravest = std::find_if(this->Result.Remarks.begin(), this->Result.Remarks.end(),
+    [this](const sb::Remark& remark) { return remark.Condition == this->Result.Condition; });
+  sb::Remark remark = gravest == this->Result.Remarks.end() ? sb::Remark() : *gravest;
+  const std::int64_t cell = remark.Operand >= 0 && remark.Triangle >= 0
+    ? this->Operands[remark.Operand]->CellOfTriangle(remark.Triangle)
+    : -1;
+  const std::string name =
+    remark.Operand >= 0 ? this->Filter->Inputs->Connections[remark.Operand].Name : "";
+  this->AddFields(
+    static_cast<int>(this->Result.Condition), sbvtk::ConditionSentence(remark, name, cell));
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyDataBooleanOperationFilter::Run::Fail(const Failure& failure)
+{
+  this->Surface->Initialize();
+  this->Curves->Initialize();
+  this->AddFields(failure.Status, failure.Sentence);
+  if (failure.Status != static_cast<int>(sb::Status::Aborted))
+  {
+    vtkErrorWithObjectMacro(this->Filter, << failure.Sentence);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyDataBooleanOperationFilter::Run::AddFields(int status, const std::string& message)
+{
+  if (vtkDataObject* first = vtkDataObject::GetData(this->Inputs[0], 0))
+  {
+    this->Surface->GetFieldData()->PassData(first->GetFieldData());
+  }
+  std::vector<double> volumes;
+  std::vector<double> areas;
+  for (const sb::OperandReport& operand : this->Result.Operands)
+  {
+    volumes.push_back(operand.Volume);
+    areas.push_back(operand.Area);
+  }
+  std::vector<std::string> stageNames;
+  std::vector<double> stageSeconds;
+  for (const sb::StageTime& time : this->Times)
+  {
+    stageNames.emplace_back(time.Name);
+    stageSeconds.push_back(time.Seconds);
+  }
+  AddField<vtkIntArray>(this->Surface, "Status", std::vector<int>{ status });
+  AddField<vtkStringArray>(this->Surface, "Message", std::vector<std::string>{ message });
+  AddField<vtkDoubleArray>(this->Surface, "OperandVolume", volumes);
+  AddField<vtkDoubleArray>(this->Surface, "OperandArea", areas);
+  AddField<vtkDoubleArray>(
+    this->Surface, "ResultVolume", std::vector<double>{ this->Measures.Volume });
+  AddField<vtkDoubleArray>(this->Surface, "ResultArea", std::vector<double>{ this->Measures.Area });
+  AddField<vtkIdTypeArray>(
+    this->Surface, "ContactCount", std::vector<vtkIdType>{ this->Result.NumberOfContacts });
+  AddField<vtkStringArray>(this->Surface, "StageNames", stageNames);
+  AddField<vtkDoubleArray>(this->Surface, "StageSeconds", stageSeconds);
+}
+
+//------------------------------------------------------------------------------
+vtkPolyDataBooleanOperationFilter::vtkPolyDataBooleanOperationFilter()
+  : Inputs(new Cache)
+{
+  static_assert(static_cast<int>(sb::Operation::Union) == VTK_UNION &&
+      static_cast<int>(sb::Operation::Intersection) == VTK_INTERSECTION &&
+      static_cast<int>(sb::Operation::Difference) == VTK_DIFFERENCE &&
+      static_cast<int>(sb::Operation::SymmetricDifference) == VTK_SYMMETRIC_DIFFERENCE &&
+      static_cast<int>(sb::Operation::Resolve) == VTK_RESOLVE,
+    "the kernel's numbers of the operations are the filter's");
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkPolyDataBooleanOperationFilter::~vtkPolyDataBooleanOperationFilter() = default;
+
+//------------------------------------------------------------------------------
+int vtkPolyDataBooleanOperationFilter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  // Any data object: composite ones come whole, and others get a sentence of ours instead of the
+  // pipeline's.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkPolyDataBooleanOperationFilter::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  sbvtk::UniteTimeSteps(inputs, this->GetNumberOfInputPorts(), outputs);
+  return this->Superclass::RequestInformation(request, inputs, outputs);
+}
+
+//------------------------------------------------------------------------------
+int vtkPolyDataBooleanOperationFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  sbvtk::RunWithThreads(this->NumberOfThreads, [&] { Run(this, inputs, outputs).Execute(); });
+  this->SetAbortOutput(
+    false); // a run that was stopped says so in its field data, which the pipeline would clear
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyDataBooleanOperationFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Operation: " << this->Operation << "\n";
+  os << indent << "ReorientDifferenceCells: " << this->ReorientDifferenceCells << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+}

@@ -1,0 +1,38 @@
+# SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The commands of the README. Each installs what it lacks, if it may.
+BUILD := build
+JOBS := $(shell nproc)
+CMAKE_ARGUMENTS :=
+
+.PHONY: build test demo bench gui format clean dependencies
+
+build: dependencies
+	@cmake -G Ninja -S . -B $(BUILD) -DCMAKE_BUILD_TYPE=Release $(CMAKE_ARGUMENTS) > $(BUILD)-configure.log 2>&1 \
+	  || { cat $(BUILD)-configure.log; exit 1; }
+	@mv $(BUILD)-configure.log $(BUILD)/configure.log
+	@cmake --build $(BUILD) -j $(JOBS)
+	@echo "Built. To use it: . $(BUILD)/env.sh && pvpython script.py, or: make gui"
+
+test: build
+	@ctest --test-dir $(BUILD) --output-on-failure \
+	  && echo "PASSED: all tests." || { echo "FAILED: see the tests listed above."; exit 1; }
+
+demo: build
+	@. $(BUILD)/env.sh && xvfb-run -a pvpython Python/demo.py
+
+bench: build
+	@. $(BUILD)/env.sh && Testing/Benchmarks/run.sh
+
+gui: build
+	@. $(BUILD)/env.sh && paraview --plugin-search-paths="$$PV_PLUGIN_PATH" --plugins=SurfaceBooleans
+
+format:
+	@find Filters Testing Plugin \( -name '*.h' -o -name '*.cxx' \) -exec clang-format -i {} +
+
+clean:
+	@rm -rf $(BUILD)
+
+dependencies:
+	@Testing/install-dependencies.sh

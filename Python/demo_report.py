@@ -1,0 +1,124 @@
+# SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the demo prints: the field data of its results, and checks that do not rest on the filter."""
+
+import time
+
+import numpy as np
+from paraview import servermanager
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOLegacy import vtkPolyDataReader
+
+LIMIT = 1e-12  # of the volume of A: how exactly the volumes have to agree
+
+
+def corners_by_position(surface):
+    """Points that coincide get one number: (number of each corner, offsets of the polygons)."""
+    points = vtk_to_numpy(surface.GetPoints().GetData())
+    positions, number = np.unique(points, axis=0, return_inverse=True)
+    polygons = surface.GetPolys()
+    corners = vtk_to_numpy(polygons.GetConnectivityArray())
+    return positions, number.ravel()[corners], vtk_to_numpy(polygons.GetOffsetsArray())
+
+
+def next_corners(corners, offsets):
+    following = np.roll(corners, -1)
+    following[offsets[1:] - 1] = corners[offsets[:-1]]
+    return following
+
+
+def is_closed(surface):
+    """Whether every edge is gone along as often forwards as backwards."""
+    if surface.GetNumberOfPolys() == 0:
+        return False
+    _, start, offsets = corners_by_position(surface)
+    end = next_corners(start, offsets)
+    forwards = np.sort(start.astype(np.int64) << 32 | end)
+    backwards = np.sort(end.astype(np.int64) << 32 | start)
+    return bool(np.array_equal(forwards, backwards))
+
+
+def volume(surface):
+    """Volume enclosed, from the polygons alone (divergence theorem over fans of triangles)."""
+    positions, start, offsets = corners_by_position(surface)
+    positions = positions.astype(np.float64)
+    end = next_corners(start, offsets)
+    first = np.repeat(start[offsets[:-1]], np.diff(offsets))
+    a, b, c = positions[first], positions[start], positions[end]
+    return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
+
+
+def field(surface, name):
+    array = surface.GetFieldData().GetAbstractArray(name)
+    return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
+
+
+def name_of(proxy):
+    return servermanager.ProxyManager().GetProxyName("sources", proxy)
+
+
+def print_operands(result, operands):
+    """The operands as the filter measured them."""
+    surface = servermanager.Fetch(result)
+    print(f"{'operand':<14}{'cells':>9}{'volume':>14}{'area':>12}")
+    measures = zip(operands, field(surface, "OperandVolume"), field(surface, "OperandArea"))
+    for operand, enclosed, area in measures:
+        cells = operand.GetDataInformation().GetNumberOfCells()
+        print(f"{name_of(operand):<14}{cells:>9,}{enclosed:>14.9f}{area:>12.6f}")
+
+
+def print_results(results):
+    """A line for each result; whether all are closed, with Status 0 and the volume they claim."""
+    print("\nA = elephant, drum and plinth; B = drill and pegs")
+    heads = f"{'result':<8}{'Status':>6}  {'closed':<7}{'cells':>9}{'volume':>14}{'area':>12}"
+    print(f"{heads}{'seconds':>10}  Message")
+    right = True
+    for name, result in results.items():
+        start = time.perf_counter()
+        result.UpdatePipeline()
+        seconds = time.perf_counter() - start
+        surface = servermanager.Fetch(result)
+        seconds = max(seconds, sum(field(surface, "StageSeconds")))  # updated already: its own time
+        status, claimed = field(surface, "Status")[0], field(surface, "ResultVolume")[0]
+        closed = is_closed(surface)
+        print(
+            f"{name:<8}{status:>6}  {'yes' if closed else 'NO':<7}{surface.GetNumberOfCells():>9,}"
+            f"{claimed:>14.9f}{field(surface, 'ResultArea')[0]:>12.6f}{seconds:>10.3f}"
+            f"  {field(surface, 'Message')[0]}"
+        )
+        agrees = abs(volume(surface) - claimed) <= LIMIT * claimed
+        right = right and closed and status == 0 and agrees
+    return right
+
+
+def print_identities(results):
+    """What set theory says of the volumes; each sum would be 0 without rounding."""
+    v = {name: field(servermanager.Fetch(result), "ResultVolume")[0] for name, result in results.items()}
+    sums = {
+        "vol(A|B) + vol(A&B) - vol(A) - vol(B)": v["A | B"] + v["A & B"] - v["A"] - v["B"],
+        "vol(A-B) + vol(A&B) - vol(A)": v["A - B"] + v["A & B"] - v["A"],
+        "vol(A^B) + vol(A&B) - vol(A|B)": v["A ^ B"] + v["A & B"] - v["A | B"],
+    }
+    print()
+    for name, value in sums.items():
+        print(f"{name:<40}{value / v['A']:>10.1e} of vol(A)")
+    return all(abs(value) <= LIMIT * v["A"] for value in sums.values())
+
+
+def print_file(path):
+    """Read the result back, and look whether what is in the file is closed."""
+    reader = vtkPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    closed = is_closed(reader.GetOutput())
+    print(f"\n{path.name}, read back: {'closed' if closed else 'NOT CLOSED'}")
+    return closed
+
+
+def print_stages(result):
+    """Where the time of a result went."""
+    surface = servermanager.Fetch(result)
+    stages = dict(zip(field(surface, "StageNames"), field(surface, "StageSeconds")))
+    print(f"\nA - B took {sum(stages.values()):.3f} s for {field(surface, 'ContactCount')[0]:,} contacts:")
+    for name, seconds in stages.items():
+        print(f"  {name:<18}{seconds:>8.3f} s")

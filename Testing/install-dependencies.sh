@@ -1,0 +1,34 @@
+#!/bin/sh
+# SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+# SPDX-License-Identifier: BSD-3-Clause
+# Installs what building and testing needs beyond a bare Debian 12. Does nothing, quickly, where all of it is there.
+set -e
+
+# ParaView itself, and the -dev packages that find_package(ParaView) asks for but paraview-dev does not pull in.
+packages="
+  paraview paraview-dev python3-paraview
+  g++ make cmake ninja-build
+  python3-dev qtbase5-dev qtxmlpatterns5-dev-tools libopenmpi-dev libeigen3-dev libutfcpp-dev
+  libexpat1-dev liblzma-dev liblz4-dev libdouble-conversion-dev zlib1g-dev
+  python3-numpy python3-pytest libboost-dev libcgal-demo
+  xvfb xauth libqt5svg5
+"
+
+missing=""
+for package in $packages; do
+  case "$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null)" in
+    "install ok installed") ;;
+    *) missing="$missing $package" ;;
+  esac
+done
+[ -z "$missing" ] && exit 0
+
+if [ "$(id -u)" -ne 0 ]; then
+  echo "These packages are missing; install them, then run make again:" >&2
+  echo "  sudo apt-get install --no-install-recommends$missing" >&2
+  exit 1
+fi
+export DEBIAN_FRONTEND=noninteractive
+apt-get update -qq
+# shellcheck disable=SC2086  # one word a package
+apt-get install -y -qq --no-install-recommends $missing
