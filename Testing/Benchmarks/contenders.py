@@ -1,0 +1,211 @@
+# SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""One class a contender: how it gets from raw arrays to raw arrays.
+
+`prepare` is not timed: it turns the case's arrays into the element types that the contender takes without a copy.
+`update` is timed: it builds every structure anew, computes, and gives back (points, triangles, keep), where `keep`
+holds what shall be destroyed after the clock has stopped. Each contender is driven as its documentation shows.
+"""
+
+import functools
+
+import numpy as np
+
+
+class Contender:
+    def prepare(self, operation, input, tool):
+        self.operation = operation
+        self.meshes = [self.native(*mesh) for mesh in input + tool]
+        self.number_of_inputs = len(input)
+
+    def native(self, points, triangles):
+        return points, triangles
+
+
+class VTKFilter(Contender):
+    """What ours and VTK's own filter have in common: polygonal data made of arrays, without a copy."""
+
+    def native(self, points, triangles):
+        offsets = np.arange(0, 3 * len(triangles) + 1, 3, dtype=self.id_type)
+        return points, np.ascontiguousarray(triangles.ravel(), dtype=self.id_type), offsets
+
+    def surface(self, points, connectivity, offsets):
+        cells = self.vtkCellArray()
+        cells.SetData(self.from_numpy(offsets), self.from_numpy(connectivity))
+        surface = self.vtkPolyData()
+        surface.SetPoints(self.points(points))
+        surface.SetPolys(cells)
+        return surface
+
+    def points(self, array):
+        points = self.vtkPoints()
+        points.SetData(self.from_numpy(array))
+        return points
+
+    def import_vtk(self):
+        from vtkmodules.util import numpy_support
+        from vtkmodules.vtkCommonCore import vtkPoints, vtkVersion
+        from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+        self.vtkPoints, self.vtkCellArray, self.vtkPolyData = vtkPoints, vtkCellArray, vtkPolyData
+        self.from_numpy = numpy_support.numpy_to_vtk
+        self.to_numpy = numpy_support.vtk_to_numpy
+        self.id_type = np.int64
+        return vtkVersion.GetVTKVersion()
+
+    def arrays(self, surface):
+        if surface.GetNumberOfCells() == 0:
+            return np.zeros((0, 3)), np.zeros((0, 3), dtype=np.int64)
+        connectivity = self.to_numpy(surface.GetPolys().GetConnectivityArray())
+        if len(connectivity) != 3 * surface.GetNumberOfCells():
+            raise RuntimeError("the result has other cells than triangles")
+        return self.to_numpy(surface.GetPoints().GetData()), connectivity.reshape(-1, 3)
+
+
+class Ours(VTKFilter):
+    """surfacebooleans.vtk.vtkPolyDataBooleanOperationFilter."""
+
+    def __init__(self):
+        from surfacebooleans.vtk import vtkPolyDataBooleanOperationFilter
+
+        self.filter_class = vtkPolyDataBooleanOperationFilter
+        self.version = f"this tree, VTK {self.import_vtk()}"
+
+    def update(self):
+        surfaces = [self.surface(*mesh) for mesh in self.meshes]
+        filter = self.filter_class()
+        for k, surface in enumerate(surfaces):
+            filter.AddInputDataObject(0 if k < self.number_of_inputs else 1, surface)
+        getattr(filter, f"SetOperationTo{self.operation.capitalize()}")()
+        filter.Update()
+        return *self.arrays(filter.GetOutput()), (filter, surfaces)
+
+    def move_tool(self, keep, distance):
+        """Gives the tools of an earlier update other points, as a transform would; not timed."""
+        _, surfaces = keep
+        for surface, mesh in list(zip(surfaces, self.meshes))[self.number_of_inputs :]:
+            surface.SetPoints(self.points(mesh[0] + distance))
+
+    def update_again(self, keep):
+        filter, _ = keep
+        filter.Update()
+        return *self.arrays(filter.GetOutput()), keep
+
+
+class VTK(VTKFilter):
+    """VTK's own vtkBooleanOperationPolyDataFilter, of the wheel on PyPI."""
+
+    def __init__(self):
+        self.version = self.import_vtk()
+        from vtkmodules.vtkFiltersGeneral import vtkBooleanOperationPolyDataFilter
+
+        self.filter_class = vtkBooleanOperationPolyDataFilter
+
+    def update(self):
+        surfaces = [self.surface(*mesh) for mesh in self.meshes]
+        filter = self.filter_class()
+        filter.SetInputData(0, surfaces[0])
+        filter.SetInputData(1, surfaces[1])
+        getattr(filter, f"SetOperationTo{self.operation.capitalize()}")()
+        filter.Update()
+        return *self.arrays(filter.GetOutput()), (filter, surfaces)
+
+
+class Manifold(Contender):
+    """manifold3d, in double precision."""
+
+    def __init__(self):
+        import manifold3d
+
+        self.module = manifold3d
+        self.version = package_version("manifold3d")
+
+    def native(self, points, triangles):
+        return points, triangles.astype(np.uint64)
+
+    def update(self):
+        solids = [self.module.Manifold(self.module.Mesh64(*mesh)) for mesh in self.meshes]
+        for solid in solids:
+            if solid.status() != self.module.Error.NoError:
+                raise RuntimeError(f"manifold3d refuses the input: {solid.status()}")
+        kinds = self.module.OpType
+        kind = {"union": kinds.Add, "intersection": kinds.Intersect, "difference": kinds.Subtract}[self.operation]
+        result = self.module.Manifold.batch_boolean(solids, kind)
+        mesh = result.to_mesh64()
+        return mesh.vert_properties[:, :3], mesh.tri_verts, (solids, result, mesh)
+
+
+class Trueform(Contender):
+    """trueform in double precision, the precision that ours works in."""
+
+    real = np.float64
+
+    def __init__(self):
+        import trueform
+
+        self.module = trueform
+        self.version = package_version("trueform")
+
+    def native(self, points, triangles):
+        return triangles, points.astype(self.real)
+
+    def update(self):
+        meshes = [self.module.Mesh(*mesh) for mesh in self.meshes]
+        if len(meshes) == 2:
+            (triangles, points), *labels = getattr(self.module, f"boolean_{self.operation}")(*meshes)
+            return points, triangles, (meshes, labels)
+        graph = self.module.CsgGraph(meshes)
+        union = functools.reduce(lambda a, b: a | b, (self.module.op(k) for k in range(len(meshes))))
+        triangles, points = graph.mesh(union)
+        return points, triangles, (meshes, graph)
+
+
+class TrueformFloat(Trueform):
+    """trueform in single precision, its fastest way."""
+
+    real = np.float32
+
+
+class MeshLib(Contender):
+    """meshlib, which knows single precision only."""
+
+    def __init__(self):
+        from meshlib import mrmeshnumpy, mrmeshpy
+
+        self.module, self.numpy = mrmeshpy, mrmeshnumpy
+        self.version = package_version("meshlib")
+
+    def native(self, points, triangles):
+        return triangles, points
+
+    def update(self):
+        meshes = [self.numpy.meshFromFacesVerts(*mesh) for mesh in self.meshes]
+        if len(meshes) == 2:
+            kinds = self.module.BooleanOperation
+            kind = {"union": kinds.Union, "intersection": kinds.Intersection, "difference": kinds.DifferenceAB}
+            result = self.module.boolean(*meshes, kind[self.operation])
+            if not result.valid():
+                raise RuntimeError(f"meshlib: {result.errorString}")
+            mesh = result.mesh
+        else:
+            pointers = self.module.std_vector_Mesh_const_ptr()
+            for mesh in meshes:
+                pointers.append(mesh)
+            result = mesh = self.module.uniteManyMeshes(pointers)
+        return self.numpy.getNumpyVerts(mesh), self.numpy.getNumpyFaces(mesh.topology), (meshes, result)
+
+
+def package_version(name):
+    from importlib.metadata import version
+
+    return version(name)
+
+
+CONTENDERS = {
+    "ours": Ours,
+    "manifold3d": Manifold,
+    "vtk": VTK,
+    "trueform": Trueform,
+    "trueform-float": TrueformFloat,
+    "meshlib": MeshLib,
+}
