@@ -5,9 +5,10 @@
  * @brief From all triangles to candidates (in the other surfaces' boxes), to survivors (near another surface), to pairs.
  *
  * 1. Surfaces: the *region* of a surface encloses what its box has in common with the others' boxes.
- * 2. Points: each is given the code of its cell in a grid over the regions, and marks the cell (OccupancyGrid.h).
- * 3. Triangles, first pass: those that are large for the grid mark all the cells of their boxes.
- * 4. Triangles, second pass: those that are not near a cell which two surfaces share are dropped. The others survive.
+ * 2. Points: each gets the code of its cell in a grid over the regions, and marks the cell (OccupancyGrid.h).
+ * 3. Triangles, first pass: where the box touches more cells than the corners are in, it marks them all. The grid is
+ *    chosen so that this is rare, and so most of the work is done for points, which are fewer and lie in a row.
+ * 4. Triangles, second pass: those survive that touch a cell which several surfaces marked.
  * 5. Pairs: of two surfaces whose boxes meet, the one with fewer survivors goes into the hierarchy, and the other's ask.
  *
  * Memory is linear: 4 bytes a point, some bytes a triangle for the grid, 300 a survivor in the hierarchy, 32 a pair.
@@ -41,8 +42,8 @@ constexpr double MostCells = 2.0;
 constexpr double MostMarks = 2.0;
 constexpr int MostBits = 23;
 
-/** A large triangle may touch as many cells however many of its kind there are. */
-constexpr std::int64_t CellsOfAnyLarge = 64;
+/** A triangle that touches more cells is large, and marks only once all the large ones are known. */
+constexpr std::int64_t MostCellsOfSmall = 64;
 
 struct Survivor
 {
@@ -53,18 +54,13 @@ struct Survivor
 /** A range of one surface's triangles, the unit of parallel work, and what the passes find in it. */
 struct Chunk
 {
-  struct LargeTriangle
-  {
-    std::int32_t Triangle;
-    CellRange Cells;
-  };
-
   std::int32_t Surface;
   std::int64_t Begin;
   std::int64_t End;
   std::int32_t HighestPoint = -1;
-  bool Inside = false; ///< whether a first corner is in or beside the region
-  std::vector<LargeTriangle> Large;
+  bool Inside = false;            ///< whether a corner is inside the surface's region
+  std::vector<std::int32_t> Wide; ///< triangles that touch more cells than their corners are in
+  std::vector<CellRange> Large;   ///< the cells of those with too many to be marked at once
   std::vector<std::int32_t> Survivors;
 };
 
@@ -178,7 +174,7 @@ std::vector<Chunk> CutIntoChunks(const Surfaces& surfaces, const std::vector<Box
     for (std::int64_t begin = 0; begin < surfaces[i].NumberOfTriangles; begin += ChunkSize)
     {
       const std::int64_t end = std::min(begin + ChunkSize, surfaces[i].NumberOfTriangles);
-      chunks.push_back({ static_cast<std::int32_t>(i), begin, end, -1, false, {}, {} });
+      chunks.push_back({ static_cast<std::int32_t>(i), begin, end, -1, false, {}, {}, {} });
     }
   }
   return chunks;
@@ -363,20 +359,17 @@ public:
   std::vector<Survivor> Run()
   {
     this->MakePointBlocks();
-    this->ForEach(this->Blocks, [this](const PointBlock& block) { this->MarkPoints(block); });
-    this->ForEach(this->Chunks, [this](Chunk& chunk) { this->FindLarge(chunk); });
+    this->ForEach(this->Blocks, [this](PointBlock& block) { this->MarkPoints(block); });
+    this->ForEach(this->Chunks, [this](Chunk& chunk) { this->MarkWide(chunk); });
     const std::int64_t mostCells = this->MarkLarge();
-    if (this->Ear.Aborted())
-    {
-      return {};
-    }
-    this->Grid.Spread(this->Host);
+    this->ForEach(this->Blocks, [this](const PointBlock& block) { this->FlagPoints(block); });
     this->ForEach(this->Chunks, [this, mostCells](Chunk& chunk) { this->Keep(chunk, mostCells); });
     return this->Gather();
   }
 
 private:
-  static constexpr std::uint32_t InsideBit = GridShape::HighestBit;
+  /** In a point's code: set if the point is inside the region, later only if its cell is shared. */
+  static constexpr std::uint32_t Flag = GridShape::FreeBit;
 
   /** A range of one surface's points. */
   struct PointBlock
@@ -384,6 +377,7 @@ private:
     std::size_t Surface;
     std::int64_t Begin;
     std::int64_t End;
+    bool Inside; ///< whether any is inside the region
   };
 
   /** Run body(item) for all items in parallel, unless the caller wants to stop. */
@@ -425,7 +419,7 @@ private:
       total += numbersOfPoints[surface];
       for (std::int64_t begin = 0; begin < numbersOfPoints[surface]; begin += ChunkSize)
       {
-        this->Blocks.push_back({ surface, begin, std::min(begin + ChunkSize, numbersOfPoints[surface]) });
+        this->Blocks.push_back({ surface, begin, std::min(begin + ChunkSize, numbersOfPoints[surface]), false });
       }
     }
     this->Codes.reset(new std::uint32_t[static_cast<std::size_t>(total)]);
@@ -433,7 +427,7 @@ private:
 
   std::uint32_t* CodesOf(std::size_t surface) const { return this->Codes.get() + this->FirstCodes[surface]; }
 
-  void MarkPoints(const PointBlock& block)
+  void MarkPoints(PointBlock& block)
   {
     const double* const points = this->AllSurfaces[block.Surface].Points;
     std::uint32_t* const codes = this->CodesOf(block.Surface);
@@ -445,60 +439,76 @@ private:
       bool isInside = true;
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        const std::int32_t first = inside.First[axis] - 2;
-        const std::int32_t last = inside.Last[axis] + 2;
-        cell[axis] = this->Shape.Cell(points[3 * i + static_cast<std::int64_t>(axis)], axis, first, last);
-        isInside = isInside & (cell[axis] != first) & (cell[axis] != last);
+        const std::int32_t before = inside.First[axis] - 1;
+        const std::int32_t behind = inside.Last[axis] + 1;
+        cell[axis] =
+          this->Shape.Cell(points[3 * i + static_cast<std::int64_t>(axis)], axis, before, behind);
+        isInside = isInside & (cell[axis] != before) & (cell[axis] != behind);
       }
-      const std::uint32_t code = this->Shape.Code(cell[0], cell[1], cell[2]);
-      codes[i] = isInside ? code | InsideBit : code;
+      codes[i] = this->Shape.Code(cell);
       if (isInside)
       {
-        this->Grid.MarkCell(this->Shape.Index(code), mark);
+        this->Grid.MarkCell(this->Shape.Index(codes[i]), mark);
+        codes[i] |= Flag;
+        block.Inside = true;
       }
     }
   }
 
-  void FindLarge(Chunk& chunk)
+  void MarkWide(Chunk& chunk)
   {
     const std::size_t surface = static_cast<std::size_t>(chunk.Surface);
     const std::int32_t* const triangles = this->AllSurfaces[surface].Triangles;
     const std::uint32_t* const codes = this->CodesOf(surface);
-    std::uint32_t any = 0;
+    const Word mark = this->MarkOf(surface);
+    std::uint32_t flags = 0;
     for (std::int64_t triangle = chunk.Begin; triangle < chunk.End; ++triangle)
     {
       const std::int32_t* const corners = triangles + 3 * triangle;
       const std::uint32_t a = codes[corners[0]];
       const std::uint32_t b = codes[corners[1]];
       const std::uint32_t c = codes[corners[2]];
-      any |= a;
-      if (!this->Shape.AreNeighbours(a & ~InsideBit, b & ~InsideBit) || !this->Shape.AreNeighbours(a & ~InsideBit, c & ~InsideBit))
+      flags |= a | b | c;
+      if (this->Shape.IsCompact(a, b, c))
       {
-        const CellRange cells = this->CellsOfTriangle(a, b, c, this->Insides[surface]);
-        if (!cells.IsEmpty())
-        {
-          chunk.Large.push_back({ static_cast<std::int32_t>(triangle), cells });
-        }
+        continue;
+      }
+      const CellRange cells = this->CellsOf(a, b, c, this->Insides[surface]);
+      if (cells.IsEmpty())
+      {
+        continue;
+      }
+      chunk.Wide.push_back(static_cast<std::int32_t>(triangle));
+      if (cells.Count() <= MostCellsOfSmall)
+      {
+        this->Grid.MarkRange(cells, 0, mark);
+      }
+      else
+      {
+        chunk.Large.push_back(cells);
       }
     }
-    chunk.Inside = (any & InsideBit) != 0;
+    chunk.Inside = (flags & Flag) != 0;
   }
 
-  /** The cells that the box of a triangle touches in its surface's region. */
-  CellRange CellsOfTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, const CellRange& inside) const
+  /** The cells inside the region that the box of a triangle touches, from its corners' codes. */
+  CellRange CellsOf(
+    std::uint32_t a, std::uint32_t b, std::uint32_t c, const CellRange& inside) const
   {
     CellRange cells;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const auto [lowest, highest] = std::minmax({ this->Shape.CellOfCode(a, axis), this->Shape.CellOfCode(b, axis), this->Shape.CellOfCode(c, axis) });
-      cells.First[axis] = std::max(lowest, inside.First[axis]);
-      cells.Last[axis] = std::min(highest, inside.Last[axis]);
+      const std::int32_t cellA = this->Shape.CellOf(a, axis);
+      const std::int32_t cellB = this->Shape.CellOf(b, axis);
+      const std::int32_t cellC = this->Shape.CellOf(c, axis);
+      cells.First[axis] = std::max(std::min({ cellA, cellB, cellC }), inside.First[axis]);
+      cells.Last[axis] = std::min(std::max({ cellA, cellB, cellC }), inside.Last[axis]);
     }
     return cells;
   }
 
   /**
-   * Mark for the large triangles, each on the finest level where it touches few enough cells for all of them to stay
+   * Mark for the large triangles, each at the finest level where it touches few enough cells for all of them to stay
    * linear in the triangles. Returns that number of cells.
    */
   std::int64_t MarkLarge()
@@ -510,53 +520,73 @@ private:
       large += static_cast<std::int64_t>(chunk.Large.size());
       triangles += chunk.End - chunk.Begin;
     }
-    const std::int64_t mostCells = std::max(CellsOfAnyLarge, 2 * triangles / std::max<std::int64_t>(large, 1));
+    const std::int64_t mostCells =
+      std::max(MostCellsOfSmall, 2 * triangles / std::max<std::int64_t>(large, 1));
     for (const Chunk& chunk : this->Chunks)
     {
-      for (const Chunk::LargeTriangle& triangle : chunk.Large)
+      for (const CellRange& cells : chunk.Large)
       {
-        this->Grid.AddLevelsUpTo(triangle.Cells.LevelFor(mostCells));
+        this->Grid.AddLevelsUpTo(cells.LevelFor(mostCells));
       }
     }
     this->ForEach(this->Chunks, [this, mostCells](const Chunk& chunk) {
-      for (const Chunk::LargeTriangle& triangle : chunk.Large)
+      for (const CellRange& cells : chunk.Large)
       {
-        this->Grid.MarkRange(triangle.Cells, triangle.Cells.LevelFor(mostCells),
+        this->Grid.MarkRange(cells, cells.LevelFor(mostCells),
           this->MarkOf(static_cast<std::size_t>(chunk.Surface)));
       }
     });
+    this->Grid.HandDown(this->Host);
     return mostCells;
   }
 
-  /** Of the large triangles, those that touch more than `mostCells` cells survive unasked. */
-  void Keep(Chunk& chunk, std::int64_t mostCells) const
+  void FlagPoints(const PointBlock& block)
   {
-    if (chunk.Inside)
-    {
-      const std::size_t surface = static_cast<std::size_t>(chunk.Surface);
-      const std::int32_t* const triangles = this->AllSurfaces[surface].Triangles;
-      const std::uint32_t* const codes = this->CodesOf(surface);
-      for (std::int64_t triangle = chunk.Begin; triangle < chunk.End; ++triangle)
-      {
-        if (this->Grid.IsNearShared(this->Shape.Index(codes[triangles[3 * triangle]])))
-        {
-          chunk.Survivors.push_back(static_cast<std::int32_t>(triangle));
-        }
-      }
-    }
-    if (chunk.Large.empty())
+    if (!block.Inside)
     {
       return;
     }
-    for (const Chunk::LargeTriangle& triangle : chunk.Large)
+    std::uint32_t* const codes = this->CodesOf(block.Surface);
+    for (std::int64_t i = block.Begin; i < block.End; ++i)
     {
-      if (triangle.Cells.Count() > mostCells || this->Grid.IsNearShared(triangle.Cells))
+      const bool isShared = this->Grid.IsShared(this->Shape.Index(codes[i]));
+      codes[i] = isShared ? codes[i] : codes[i] & ~Flag;
+    }
+  }
+
+  /** Wide triangles that touch more than `mostCells` cells survive unasked: there may be too many of them to ask. */
+  void Keep(Chunk& chunk, std::int64_t mostCells) const
+  {
+    const std::size_t surface = static_cast<std::size_t>(chunk.Surface);
+    const std::int32_t* const triangles = this->AllSurfaces[surface].Triangles;
+    const std::uint32_t* const codes = this->CodesOf(surface);
+    const auto codeOf = [triangles, codes](std::int64_t triangle, std::int64_t corner) {
+      return codes[triangles[3 * triangle + corner]];
+    };
+    for (std::int64_t i = chunk.Begin; chunk.Inside && i < chunk.End; ++i)
+    {
+      if (((codeOf(i, 0) | codeOf(i, 1) | codeOf(i, 2)) & Flag) != 0)
       {
-        chunk.Survivors.push_back(triangle.Triangle);
+        chunk.Survivors.push_back(static_cast<std::int32_t>(i));
       }
     }
-    std::sort(chunk.Survivors.begin(), chunk.Survivors.end());
-    chunk.Survivors.erase(std::unique(chunk.Survivors.begin(), chunk.Survivors.end()), chunk.Survivors.end());
+    const std::ptrdiff_t compact = static_cast<std::ptrdiff_t>(chunk.Survivors.size());
+    for (const std::int32_t i : chunk.Wide)
+    {
+      const std::uint32_t a = codeOf(i, 0);
+      const std::uint32_t b = codeOf(i, 1);
+      const std::uint32_t c = codeOf(i, 2);
+      if (((a | b | c) & Flag) == 0)
+      {
+        const CellRange cells = this->CellsOf(a, b, c, this->Insides[surface]);
+        if (cells.Count() > mostCells || this->Grid.AnyShared(cells))
+        {
+          chunk.Survivors.push_back(i);
+        }
+      }
+    }
+    std::inplace_merge(
+      chunk.Survivors.begin(), chunk.Survivors.begin() + compact, chunk.Survivors.end());
   }
 
   /** All survivors, sorted by surface and triangle as the chunks are. */
@@ -588,7 +618,7 @@ private:
   std::vector<CellRange> Insides; ///< [surface], the cells of its region
   std::vector<PointBlock> Blocks;
   std::vector<std::int64_t> FirstCodes; ///< [surface], where its points' codes start
-  std::unique_ptr<std::uint32_t[]> Codes; ///< of all points of all surfaces, with InsideBit where they mark
+  std::unique_ptr<std::uint32_t[]> Codes; ///< of all points of all surfaces, with their flags
 };
 
 std::vector<Survivor> FindSurvivors(const Surfaces& surfaces, const Neighbourhood& neighbourhood,

@@ -71,6 +71,9 @@ struct Tree
   std::vector<KnownWinding> AtRoot;   ///< in front of the first patch, where not 0
 };
 
+/** How many faces a thread takes at a time. */
+constexpr std::int64_t BlockSize = 1 << 14;
+
 class Classifier
 {
 public:
@@ -166,24 +169,15 @@ private:
 
   void MarkFaces()
   {
-    this->States.resize(std::size_t(this->World.NumberOfFaces()));
-    // A sheet has no far side: its sign reaches everywhere.
-    const bool everywhere = !this->OpenOperands.empty();
+    this->States.assign(std::size_t(this->World.NumberOfFaces()), FaceState::Far);
+    this->Near.resize(std::size_t(this->NumberOfOperands));
     for (std::int32_t operand = 0; operand < this->NumberOfOperands; ++operand)
     {
-      const std::vector<std::array<double, 6>> boxes = this->NearBoxes(operand);
-      const std::int32_t first = this->World.FirstFace(operand);
-      this->Threads.For(this->World.FirstFace(operand + 1) - first, 1 << 14,
-        [&](std::int64_t begin, std::int64_t end)
-        {
-          for (std::int64_t i = begin; i < end; ++i)
-          {
-            const std::int32_t face = first + static_cast<std::int32_t>(i);
-            this->States[std::size_t(face)] = everywhere || this->MeetsAny(operand, face, boxes)
-              ? FaceState::Untouched
-              : FaceState::Far;
-          }
-        });
+      this->ListNearFaces(operand);
+      for (const std::int32_t face : this->Near[std::size_t(operand)])
+      {
+        this->States[std::size_t(face)] = FaceState::Untouched;
+      }
     }
     for (const CutFace& cut : this->Cuts.Faces)
     {
@@ -195,6 +189,42 @@ private:
       {
         this->States[face] = FaceState::Collapsed;
       }
+    }
+  }
+
+  void ListNearFaces(std::int32_t operand)
+  {
+    // A sheet has no far side: its sign reaches everywhere.
+    const bool everywhere = !this->OpenOperands.empty() || this->IsSelf(operand);
+    const std::vector<std::array<double, 6>> boxes = this->NearBoxes(operand);
+    if (boxes.empty() && !everywhere)
+    {
+      return;
+    }
+    const std::int32_t first = this->World.FirstFace(operand);
+    const std::int64_t count = this->World.FirstFace(operand + 1) - first;
+    std::vector<std::vector<std::int32_t>> blocks(
+      static_cast<std::size_t>((count + BlockSize - 1) / BlockSize));
+    this->Threads.For(static_cast<std::int64_t>(blocks.size()), 1,
+      [&](std::int64_t begin, std::int64_t end)
+      {
+        for (std::int64_t block = begin; block < end; ++block)
+        {
+          const std::int64_t stop = std::min(count, (block + 1) * BlockSize);
+          for (std::int64_t i = block * BlockSize; i < stop; ++i)
+          {
+            const std::int32_t face = first + static_cast<std::int32_t>(i);
+            if (everywhere || this->MeetsAny(operand, face, boxes))
+            {
+              blocks[std::size_t(block)].push_back(face);
+            }
+          }
+        }
+      });
+    std::vector<std::int32_t>& near = this->Near[std::size_t(operand)];
+    for (const std::vector<std::int32_t>& block : blocks)
+    {
+      near.insert(near.end(), block.begin(), block.end());
     }
   }
 
@@ -254,8 +284,7 @@ private:
 
   void JoinUntouchedFaces(std::int32_t operand)
   {
-    for (std::int32_t face = this->World.FirstFace(operand);
-         face < this->World.FirstFace(operand + 1); ++face)
+    for (const std::int32_t face : this->Near[std::size_t(operand)])
     {
       if (this->States[std::size_t(face)] == FaceState::Untouched)
       {
@@ -346,21 +375,20 @@ private:
    *  from one face to the next. */
   std::vector<std::vector<SetAndFace>> ListSets(std::int32_t operand) const
   {
-    constexpr std::int64_t blockSize = 1 << 14;
-    const std::int32_t firstFace = this->World.FirstFace(operand);
-    const std::int64_t count = this->World.FirstFace(operand + 1) - firstFace;
+    const std::vector<std::int32_t>& near = this->Near[std::size_t(operand)];
+    const auto count = static_cast<std::int64_t>(near.size());
     std::vector<std::vector<SetAndFace>> blocks(
-      static_cast<std::size_t>((count + blockSize - 1) / blockSize));
+      static_cast<std::size_t>((count + BlockSize - 1) / BlockSize));
     this->Threads.For(static_cast<std::int64_t>(blocks.size()), 1,
       [&](std::int64_t begin, std::int64_t end)
       {
         for (std::int64_t block = begin; block < end; ++block)
         {
           std::vector<SetAndFace>& list = blocks[std::size_t(block)];
-          const std::int64_t stop = std::min(count, (block + 1) * blockSize);
-          for (std::int64_t i = block * blockSize; i < stop; ++i)
+          const std::int64_t stop = std::min(count, (block + 1) * BlockSize);
+          for (std::int64_t i = block * BlockSize; i < stop; ++i)
           {
-            const std::int32_t face = firstFace + static_cast<std::int32_t>(i);
+            const std::int32_t face = near[std::size_t(i)];
             if (this->States[std::size_t(face)] == FaceState::Untouched)
             {
               const std::int32_t set = this->Sets.Root(this->World.Corners(operand, face)[0]);
@@ -833,25 +861,34 @@ private:
       const Fate far = Decide(outside, count.IsInside());
       const std::int32_t first = this->World.FirstFace(operand);
       std::vector<Fate>& fates = this->Result.Fates[std::size_t(operand)];
-      fates.resize(std::size_t(this->World.FirstFace(operand + 1) - first));
-      this->Threads.For(static_cast<std::int64_t>(fates.size()), 1 << 14,
+      fates.assign(std::size_t(this->World.FirstFace(operand + 1) - first), far);
+      const std::vector<std::int32_t>& near = this->Near[std::size_t(operand)];
+      this->Threads.For(static_cast<std::int64_t>(near.size()), BlockSize,
         [&](std::int64_t begin, std::int64_t end)
         {
           for (std::int64_t i = begin; i < end; ++i)
           {
-            fates[std::size_t(i)] =
-              this->DecideFace(operand, first + static_cast<std::int32_t>(i), far);
+            const std::int32_t face = near[std::size_t(i)];
+            fates[std::size_t(face - first)] = this->DecideFace(operand, face);
           }
         });
     }
+    for (std::size_t face = 0; face < this->In.Collapsed.size(); ++face)
+    {
+      if (this->In.Collapsed[face])
+      {
+        const std::int32_t operand = this->World.OperandOfFace(static_cast<std::int32_t>(face));
+        this->Result.Fates[std::size_t(operand)]
+                          [face - std::size_t(this->World.FirstFace(operand))] = Fate::Dropped;
+      }
+    }
   }
 
-  Fate DecideFace(std::int32_t operand, std::int32_t face, Fate far) const
+  /** The fate of a near face. */
+  Fate DecideFace(std::int32_t operand, std::int32_t face) const
   {
     switch (this->States[std::size_t(face)])
     {
-      case FaceState::Far:
-        return far;
       case FaceState::Cut:
         return Fate::Split;
       case FaceState::Untouched:
@@ -860,6 +897,7 @@ private:
         const Patch& patch = this->Patches[std::size_t(this->PatchOfSet[std::size_t(set)])];
         return Decide(patch.FrontInside, patch.BehindInside);
       }
+      case FaceState::Far:
       case FaceState::Collapsed:
         break;
     }
@@ -931,6 +969,7 @@ private:
   std::vector<std::int32_t> OpenOperands;
 
   std::vector<FaceState> States;
+  std::vector<std::vector<std::int32_t>> Near; ///< [operand] its faces that are not far, ascending
   DisjointSets Sets; ///< over vertices, then regions
   std::vector<std::pair<std::size_t, std::size_t>> ContactEdges; ///< ranges of edge uses
   std::vector<std::int32_t> PatchOfSet;

@@ -6,9 +6,11 @@
 #include "ParallelSort.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <memory>
 
 namespace sb
 {
@@ -19,17 +21,22 @@ namespace
 constexpr std::int64_t BlockSize = 1 << 14;
 
 /** What one block of triangles adds; blocks are added up in their order, so that sums do not depend on the threads. */
-struct BlockSums
+struct TriangleSums
 {
-  std::int64_t BadIndex = -1;      ///< first triangle with a point id out of range
-  std::int64_t BadCoordinate = -1; ///< first triangle with a coordinate that is not finite
+  std::int64_t BadIndex = -1; ///< first triangle with a point id out of range
   double Volume = 0.0;
   double Area = 0.0;
   std::uint64_t Boundary = 0;
+};
+
+/** The box of a block of points. */
+struct PointBox
+{
   std::array<double, 3> Low;
   std::array<double, 3> High;
+  bool IsFinite = true;
 
-  BlockSums()
+  PointBox()
   {
     this->Low.fill(std::numeric_limits<double>::infinity());
     this->High.fill(-std::numeric_limits<double>::infinity());
@@ -59,10 +66,13 @@ std::uint64_t HashEdge(std::uint64_t from, std::uint64_t to)
   return ((hash ^ negate) - negate) & differ;
 }
 
-BlockSums Measure(
-  const Surface& mesh, const std::uint64_t* hashes, std::int64_t begin, std::int64_t end)
+/** Marks of the points that triangles use; several threads may set the same one. */
+using UseMarks = std::unique_ptr<std::atomic<std::uint8_t>[]>;
+
+TriangleSums MeasureTriangles(const Surface& mesh, const std::uint64_t* hashes,
+  std::atomic<std::uint8_t>* used, std::int64_t begin, std::int64_t end)
 {
-  BlockSums sums;
+  TriangleSums sums;
   const auto limit = static_cast<std::uint32_t>(mesh.NumberOfPoints);
   const double* origin = mesh.Points;
   for (std::int64_t i = begin; i < end; ++i)
@@ -74,35 +84,18 @@ BlockSums Measure(
       sums.BadIndex = i;
       return sums;
     }
+    for (int k = 0; k < 3; ++k)
+    {
+      used[ids[k]].store(1, std::memory_order_relaxed);
+    }
     const double* a = mesh.Points + 3 * std::int64_t(ids[0]);
     const double* b = mesh.Points + 3 * std::int64_t(ids[1]);
     const double* c = mesh.Points + 3 * std::int64_t(ids[2]);
-    double u[3];
-    double v[3];
-    double w[3];
-    double poison = 0.0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      u[axis] = b[axis] - a[axis];
-      v[axis] = c[axis] - a[axis];
-      w[axis] = a[axis] - origin[axis];
-      poison += (a[axis] + b[axis] + c[axis]) * 0.0;
-      sums.Low[axis] = std::min(sums.Low[axis], std::min(a[axis], std::min(b[axis], c[axis])));
-      sums.High[axis] = std::max(sums.High[axis], std::max(a[axis], std::max(b[axis], c[axis])));
-    }
-    if (!(poison == 0.0) && sums.BadCoordinate < 0)
-    {
-      for (const double* p : { a, b, c })
-      {
-        if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-        {
-          sums.BadCoordinate = i;
-        }
-      }
-    }
+    const double u[3] = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
+    const double v[3] = { c[0] - a[0], c[1] - a[1], c[2] - a[2] };
     const double n[3] = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
       u[0] * v[1] - u[1] * v[0] };
-    sums.Volume += w[0] * n[0] + w[1] * n[1] + w[2] * n[2];
+    sums.Volume += (a[0] - origin[0]) * n[0] + (a[1] - origin[1]) * n[1] + (a[2] - origin[2]) * n[2];
     sums.Area += std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     const std::uint64_t ha = hashes[ids[0]];
     const std::uint64_t hb = hashes[ids[1]];
@@ -110,6 +103,34 @@ BlockSums Measure(
     sums.Boundary += HashEdge(ha, hb) + HashEdge(hb, hc) + HashEdge(hc, ha);
   }
   return sums;
+}
+
+PointBox MeasurePoints(const Surface& mesh, const std::atomic<std::uint8_t>* used,
+  std::int64_t begin, std::int64_t end)
+{
+  PointBox box;
+  double poison = 0.0; // not a number as soon as one coordinate is not finite
+  for (std::int64_t i = begin; i < end; ++i)
+  {
+    if (used[i].load(std::memory_order_relaxed) == 0)
+    {
+      continue;
+    }
+    const double* p = mesh.Points + 3 * i;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      box.Low[axis] = std::min(box.Low[axis], p[axis]);
+      box.High[axis] = std::max(box.High[axis], p[axis]);
+      poison += p[axis] * 0.0;
+    }
+  }
+  box.IsFinite = poison == 0.0;
+  return box;
+}
+
+bool IsFinite(const double* p)
+{
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
 /** A directed edge of a triangle, its ends named by their hashes. */
@@ -186,18 +207,21 @@ Remark Diagnose(const Surface& mesh, const std::vector<std::uint64_t>& hashes,
   return inconsistent.Count > 0 ? inconsistent : boundary;
 }
 
-std::int64_t FindBadPoint(const Surface& mesh, std::int64_t triangle)
+/** The first triangle with a corner that is not finite, and that corner. */
+Remark FindBadCoordinate(const Surface& mesh)
 {
-  for (int k = 0; k < 3; ++k)
+  Remark remark;
+  remark.Condition = Status::BadCoordinate;
+  for (std::int64_t i = 0; i < 3 * mesh.NumberOfTriangles; ++i)
   {
-    const std::int32_t id = mesh.Triangles[3 * triangle + k];
-    const double* p = mesh.Points + 3 * std::int64_t(id);
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+    if (!IsFinite(mesh.Points + 3 * std::int64_t(mesh.Triangles[i])))
     {
-      return id;
+      remark.Triangle = i / 3;
+      remark.Point = mesh.Triangles[i];
+      break;
     }
   }
-  return -1;
+  return remark;
 }
 
 /** Makes the examination of one surface. */
@@ -235,18 +259,7 @@ public:
           hashes[std::size_t(i)] = HashPoint(this->Mesh.Points + 3 * i);
         }
       });
-    const std::int64_t count = this->Mesh.NumberOfTriangles;
-    std::vector<BlockSums> blocks(std::size_t((count + BlockSize - 1) / BlockSize));
-    this->Threads.For(static_cast<std::int64_t>(blocks.size()), 1,
-      [&](std::int64_t begin, std::int64_t end)
-      {
-        for (std::int64_t i = begin; i < end; ++i)
-        {
-          blocks[std::size_t(i)] = Measure(
-            this->Mesh, hashes.data(), i * BlockSize, std::min(count, (i + 1) * BlockSize));
-        }
-      });
-    if (!this->AddUp(blocks))
+    if (!this->MeasureAllTriangles(hashes) || !this->MeasureAllPoints())
     {
       return;
     }
@@ -271,36 +284,66 @@ private:
     return this->Result.Remarks.back();
   }
 
-  /** @return whether all indices and coordinates are good. */
-  bool AddUp(const std::vector<BlockSums>& blocks)
+  template <class Block, class Measure>
+  std::vector<Block> MeasureBlocks(std::int64_t count, Measure&& measure)
   {
-    BlockSums total;
-    for (const BlockSums& block : blocks)
+    std::vector<Block> blocks(std::size_t((count + BlockSize - 1) / BlockSize));
+    this->Threads.For(static_cast<std::int64_t>(blocks.size()), 1,
+      [&](std::int64_t begin, std::int64_t end)
+      {
+        for (std::int64_t i = begin; i < end; ++i)
+        {
+          blocks[std::size_t(i)] = measure(i * BlockSize, std::min(count, (i + 1) * BlockSize));
+        }
+      });
+    return blocks;
+  }
+
+  /** @return whether all point ids are good. */
+  bool MeasureAllTriangles(const std::vector<std::uint64_t>& hashes)
+  {
+    this->Used.reset(new std::atomic<std::uint8_t>[std::size_t(this->Mesh.NumberOfPoints)]());
+    const auto blocks = this->MeasureBlocks<TriangleSums>(this->Mesh.NumberOfTriangles,
+      [&](std::int64_t begin, std::int64_t end)
+      { return MeasureTriangles(this->Mesh, hashes.data(), this->Used.get(), begin, end); });
+    TriangleSums total;
+    for (const TriangleSums& block : blocks)
     {
       if (block.BadIndex >= 0)
       {
         this->Add(Status::BadIndex).Triangle = block.BadIndex;
         return false;
       }
-      if (block.BadCoordinate >= 0)
-      {
-        Remark& remark = this->Add(Status::BadCoordinate);
-        remark.Triangle = block.BadCoordinate;
-        remark.Point = FindBadPoint(this->Mesh, block.BadCoordinate);
-        return false;
-      }
       total.Volume += block.Volume;
       total.Area += block.Area;
       total.Boundary += block.Boundary;
+    }
+    this->Result.Report.Volume = total.Volume / 6.0;
+    this->Result.Report.Area = total.Area / 2.0;
+    this->Result.Report.Closed = total.Boundary == 0;
+    return true;
+  }
+
+  /** @return whether all points in use are finite. */
+  bool MeasureAllPoints()
+  {
+    const auto blocks = this->MeasureBlocks<PointBox>(this->Mesh.NumberOfPoints,
+      [&](std::int64_t begin, std::int64_t end)
+      { return MeasurePoints(this->Mesh, this->Used.get(), begin, end); });
+    PointBox total;
+    for (const PointBox& block : blocks)
+    {
+      if (!block.IsFinite)
+      {
+        this->Result.Remarks.push_back(FindBadCoordinate(this->Mesh));
+        return false;
+      }
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         total.Low[axis] = std::min(total.Low[axis], block.Low[axis]);
         total.High[axis] = std::max(total.High[axis], block.High[axis]);
       }
     }
-    this->Result.Report.Volume = total.Volume / 6.0;
-    this->Result.Report.Area = total.Area / 2.0;
-    this->Result.Report.Closed = total.Boundary == 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       this->Result.Report.Bounds[2 * axis] = total.Low[axis];
@@ -311,6 +354,7 @@ private:
 
   const Surface& Mesh;
   Executor& Threads;
+  UseMarks Used;
 };
 
 } // namespace

@@ -2,17 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OccupancyGrid.h
- * @brief Which parts of space have several surfaces near them, told from the surfaces' points by a grid of marks.
+ * @brief Which cells of a regular grid are touched by one surface only, and which are shared by several.
  *
- * A triangle is *small* if the cells of its second and third corner are neighbours of the cell of its first (or the
- * same). Its box then lies within one cell of each cell that its first corner is in. So it is enough that points mark
- * the cells they are in: spread by one cell, the marks cover all small boxes, and a cell that two surfaces' spread marks
- * share is *shared*. Two small triangles whose boxes meet have a shared cell within one cell of either first corner.
- * That takes one mark a point and one look a triangle, and the spreading is a handful of passes over a few bytes a cell.
- * A triangle that is not small marks all cells of its box.
- *
- * A mark is a word that holds the bits of the surface's number and their complements. The union (bitwise or) of marks
- * has a bit together with its complement just when two of them differ.
+ * A mark is a word that holds the bits of a surface's number and their complements. A cell collects the union (bitwise
+ * or) of the marks made in it; that has a bit together with its complement just when two of the surfaces differ. So the
+ * order of the marks does not matter, and all threads mark at once.
  */
 #ifndef sb_OccupancyGrid_h
 #define sb_OccupancyGrid_h
@@ -49,6 +43,7 @@ struct CellRange
       (this->Last[1] - this->First[1] + 1) * (this->Last[2] - this->First[2] + 1);
   }
 
+  /** The cells that these lie in when the resolution has been halved `level` times. */
   CellRange Coarsened(int level) const
   {
     CellRange coarse;
@@ -60,7 +55,7 @@ struct CellRange
     return coarse;
   }
 
-  /** How often to halve the resolution for no more than `most` cells. */
+  /** How often the resolution has to be halved for no more than `most` cells. */
   int LevelFor(std::int64_t most) const
   {
     int level = 0;
@@ -73,14 +68,17 @@ struct CellRange
 };
 
 /**
- * A region in equal cells, a power of two of them on each axis. There are two layers of cells around the region: the
- * inner one for points that may belong to a small triangle which reaches into it, the outer one for all points beyond.
+ * A region in equal cells, a power of two of them on each axis. The outermost layers of cells stand for all that is
+ * outside the region.
  */
 class GridShape
 {
 public:
-  /** Cells to spare on an axis: two layers on either side, and one because the region may begin in mid cell. */
-  static constexpr int Spare = 5;
+  /** Cells to spare on an axis: the outer layers, and one because the region begins in mid cell. */
+  static constexpr int Spare = 3;
+
+  /** A code leaves this bit free. */
+  static constexpr std::uint32_t FreeBit = 0x80000000u;
 
   GridShape(const Box& region, const std::array<int, 3>& bits, const std::array<double, 3>& sides)
     : Bits(bits)
@@ -95,15 +93,16 @@ public:
       this->Guards |= 1u << (shift + bits[axis]);
       shift += bits[axis] + 1;
     }
+    this->Numbers = this->Guards - this->Ones;
   }
 
   const std::array<int, 3>& BitsAnAxis() const { return this->Bits; }
-  std::size_t NumberOfCells() const { return std::size_t(1) << (this->Bits[0] + this->Bits[1] + this->Bits[2]); }
 
-  /** The cell on one axis, monotone in the coordinate and no less than `first`, no more than `last`. */
-  std::int32_t Cell(double coordinate, std::size_t axis, std::int32_t first, std::int32_t last) const
+  /** The cell on one axis, monotone in the coordinate and clamped to first..last. */
+  std::int32_t Cell(
+    double coordinate, std::size_t axis, std::int32_t first, std::int32_t last) const
   {
-    const double cell = (coordinate - this->Origin[axis]) * this->CellsAUnit[axis] + 2.5;
+    const double cell = (coordinate - this->Origin[axis]) * this->CellsAUnit[axis] + 1.5;
     return static_cast<std::int32_t>(
       std::min(std::max(cell, static_cast<double>(first)), static_cast<double>(last)));
   }
@@ -114,56 +113,66 @@ public:
     CellRange range;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const std::int32_t last = (1 << this->Bits[axis]) - 3;
-      range.First[axis] = this->Cell(box.Lower[axis], axis, 2, last);
-      range.Last[axis] = this->Cell(box.Upper[axis], axis, 2, last);
+      const std::int32_t last = (1 << this->Bits[axis]) - 2;
+      range.First[axis] = this->Cell(box.Lower[axis], axis, 1, last);
+      range.Last[axis] = this->Cell(box.Upper[axis], axis, 1, last);
     }
     return range;
   }
 
-  /** A cell in one word, with a zero bit above each of its three numbers. Codes leave the highest bit of the word free. */
-  std::uint32_t Code(std::int32_t x, std::int32_t y, std::int32_t z) const
+  /** A cell in one word: its three numbers, each with a zero above it, the guard bit. */
+  std::uint32_t Code(const std::array<std::int32_t, 3>& cell) const
   {
-    return static_cast<std::uint32_t>(x) | static_cast<std::uint32_t>(y) << this->Shift[1] |
-      static_cast<std::uint32_t>(z) << this->Shift[2];
+    return static_cast<std::uint32_t>(cell[0]) |
+      static_cast<std::uint32_t>(cell[1]) << this->Shift[1] |
+      static_cast<std::uint32_t>(cell[2]) << this->Shift[2];
   }
 
-  std::int32_t CellOfCode(std::uint32_t code, std::size_t axis) const
+  std::int32_t CellOf(std::uint32_t code, std::size_t axis) const
   {
     return static_cast<std::int32_t>(code >> this->Shift[axis] & ((1u << this->Bits[axis]) - 1));
   }
 
-  /** The place of a cell in an array. */
+  /** The place of a cell in an array: its code without the guard bits. */
   std::size_t Index(std::uint32_t code) const
   {
-    const std::uint32_t x = code & ((1u << this->Shift[1]) - 1);
-    const std::uint32_t y = code & ((1u << this->Shift[2]) - (1u << this->Shift[1]));
-    const std::uint32_t z = code & ~HighestBit & ~((1u << this->Shift[2]) - 1);
-    return x | y >> 1 | z >> 2;
+    const std::uint32_t belowY = (1u << this->Shift[1]) - 1;
+    const std::uint32_t belowZ = (1u << this->Shift[2]) - 1;
+    return (code & belowY) | (code & belowZ & ~belowY) >> 1 | (code & ~FreeBit & ~belowZ) >> 2;
   }
 
-  static constexpr std::uint32_t HighestBit = 0x80000000u;
-
-  /** Whether two cells are the same or neighbours, by face, edge or corner. */
-  bool AreNeighbours(std::uint32_t a, std::uint32_t b) const
+  /**
+   * Whether the box of points in these three cells touches no other cell: they are at most neighbours of the first, and
+   * on one axis only. Looks at all three axes of a code at once; the free bit is ignored.
+   */
+  bool IsCompact(std::uint32_t a, std::uint32_t b, std::uint32_t c) const
   {
-    // All three numbers at once: with the guard bit set, no difference borrows from the next number. Plus one, a
-    // difference of -1, 0 or 1 has no bits but the lowest two; so has 2, but not the other way round.
-    const std::uint32_t forth = ((a | this->Guards) - b + this->Ones) ^ this->Guards;
-    const std::uint32_t back = ((b | this->Guards) - a + this->Ones) ^ this->Guards;
-    return ((forth | back) & ~(3u * this->Ones)) == 0;
+    // Adding all ones to a number carries into its guard bit unless it is zero.
+    const std::uint32_t different = ((a ^ b) | (a ^ c)) & this->Numbers;
+    const std::uint32_t axes = (different + this->Numbers) & this->Guards;
+    const std::uint32_t apart = this->BeyondNext(a, b) | this->BeyondNext(b, a) |
+      this->BeyondNext(a, c) | this->BeyondNext(c, a);
+    return ((axes & (axes - 1)) | apart) == 0;
   }
 
 private:
+  /** Not zero if a number of `a` is less than that of `b` by two or more. */
+  std::uint32_t BeyondNext(std::uint32_t a, std::uint32_t b) const
+  {
+    // With its guard bit set no number borrows from the next. What is left of the guard says that a + 1 >= b.
+    return ~((a | this->Guards) - b + this->Ones) & this->Guards;
+  }
+
   std::array<int, 3> Bits;
   std::array<int, 3> Shift;
   std::array<double, 3> Origin;
   std::array<double, 3> CellsAUnit;
-  std::uint32_t Ones = 0;
-  std::uint32_t Guards = 0;
+  std::uint32_t Ones = 0;    ///< the lowest bit of each number
+  std::uint32_t Numbers = 0; ///< all bits of the numbers
+  std::uint32_t Guards = 0;  ///< the bits above them
 };
 
-/** The marks: a Word has twice as many bits as the surfaces' numbers need. */
+/** The marks in the cells; a Word has twice as many bits as the surfaces' numbers need. */
 template <class Word>
 class OccupancyGrid
 {
@@ -180,75 +189,56 @@ public:
 
   explicit OccupancyGrid(const GridShape& shape)
     : Bits(shape.BitsAnAxis())
-    , Padding(std::size_t(1) << (Bits[0] + Bits[1]))
   {
     this->AddLevelsUpTo(0);
   }
 
-  /** Make room for marks on coarser levels. Not while others mark. */
+  /** Make room for marks at half the resolution, a quarter and so on. Not while others mark. */
   void AddLevelsUpTo(int level)
   {
     while (static_cast<int>(this->Levels.size()) <= level)
     {
-      const std::array<int, 3> bits = this->BitsOf(static_cast<int>(this->Levels.size()));
-      this->Levels.emplace_back(
-        new std::atomic<Word>[std::size_t(1) << (bits[0] + bits[1] + bits[2])]());
+      const std::size_t size = this->NumberOfCells(static_cast<int>(this->Levels.size()));
+      this->Levels.emplace_back(new std::atomic<Word>[size]());
     }
   }
 
   /** Mark the cell at an index of GridShape. May be called from all threads at once, like MarkRange. */
   void MarkCell(std::size_t index, Word mark) { Add(this->Levels.front()[index], mark); }
 
-  /** Mark the cells of a range of the finest level on the given level. */
+  /** Mark a range of cells, at the resolution of `level`. */
   void MarkRange(const CellRange& cells, int level, Word mark)
   {
     std::atomic<Word>* const marks = this->Levels[static_cast<std::size_t>(level)].get();
-    this->ForEachRow(cells.Coarsened(level), level, [=](std::size_t first, std::size_t last) {
-      std::for_each(marks + first, marks + last, [mark](std::atomic<Word>& cell) { Add(cell, mark); });
+    this->AnyCell(cells.Coarsened(level), level, [marks, mark](std::size_t cell) {
+      Add(marks[cell], mark);
       return false;
     });
   }
 
-  /** To be called once, after the last mark and before the first question. */
-  void Spread(Executor& executor)
+  /** Give the marks made at coarser levels to all the cells they stand for. */
+  void HandDown(Executor& executor)
   {
-    const std::size_t size = this->NumberOfCells(0);
-    std::vector<Word> marks(size + 2 * this->Padding);
-    std::vector<Word> spread(marks.size());
-    this->HandDown(executor);
-    ForEachCell(size, executor, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        marks[i + this->Padding] = this->Levels.front()[i].load(std::memory_order_relaxed);
-      }
-    });
-    const std::ptrdiff_t row = std::ptrdiff_t(1) << this->Bits[0];
-    const std::ptrdiff_t layer = row << this->Bits[1];
-    this->SpreadAlong(1, marks, spread, executor);
-    this->SpreadAlong(row, spread, marks, executor);
-    this->SpreadAlong(layer, marks, spread, executor);
-    this->Near.resize(marks.size());
-    std::vector<std::uint8_t> shared(marks.size());
-    ForEachCell(size, executor, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin + this->Padding; i < end + this->Padding; ++i)
-      {
-        shared[i] = (spread[i] & spread[i] >> HalfBits & LowHalf) != 0 ? 1 : 0;
-      }
-    });
-    this->SpreadAlong(1, shared, this->Near, executor);
-    this->SpreadAlong(row, this->Near, shared, executor);
-    this->SpreadAlong(layer, shared, this->Near, executor);
+    for (int level = static_cast<int>(this->Levels.size()) - 1; level > 0; --level)
+    {
+      executor.For(static_cast<std::int64_t>(this->NumberOfCells(level - 1)), 1 << 16,
+        [this, level](std::int64_t begin, std::int64_t end) {
+          this->HandDownTo(
+            level - 1, static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
+        });
+    }
   }
 
-  /** Whether the cell at an index, or one beside it, is shared. */
-  bool IsNearShared(std::size_t index) const { return this->Near[index + this->Padding] != 0; }
-
-  bool IsNearShared(const CellRange& cells) const
+  /** Whether several surfaces have marked the cell. */
+  bool IsShared(std::size_t index) const
   {
-    const std::uint8_t* const near = this->Near.data() + this->Padding;
-    return this->ForEachRow(cells, 0, [near](std::size_t first, std::size_t last) {
-      return std::find(near + first, near + last, 1) != near + last;
-    });
+    const std::uint32_t marks = this->Levels.front()[index].load(std::memory_order_relaxed);
+    return (marks & marks >> HalfBits & LowHalf) != 0;
+  }
+
+  bool AnyShared(const CellRange& cells) const
+  {
+    return this->AnyCell(cells, 0, [this](std::size_t cell) { return this->IsShared(cell); });
   }
 
 private:
@@ -276,76 +266,46 @@ private:
     return std::size_t(1) << (bits[0] + bits[1] + bits[2]);
   }
 
-  /** Call body(first, one past last) for the cells of each row along x until it returns true, and return that. */
-  template <class Body>
-  bool ForEachRow(const CellRange& cells, int level, Body&& body) const
+  /** Call test(index) for the cells of a range until it is true; returns whether it was. */
+  template <class Test>
+  bool AnyCell(const CellRange& cells, int level, Test&& test) const
   {
     const std::array<int, 3> bits = this->BitsOf(level);
-    for (std::size_t z = static_cast<std::size_t>(cells.First[2]); z <= static_cast<std::size_t>(cells.Last[2]); ++z)
+    for (std::int32_t z = cells.First[2]; z <= cells.Last[2]; ++z)
     {
-      for (std::size_t y = static_cast<std::size_t>(cells.First[1]); y <= static_cast<std::size_t>(cells.Last[1]); ++y)
+      for (std::int32_t y = cells.First[1]; y <= cells.Last[1]; ++y)
       {
-        const std::size_t row = (z << bits[1] | y) << bits[0];
-        if (body(row + static_cast<std::size_t>(cells.First[0]), row + static_cast<std::size_t>(cells.Last[0]) + 1))
+        const std::size_t row = (static_cast<std::size_t>(z) << bits[1] | static_cast<std::size_t>(y)) << bits[0];
+        for (std::int32_t x = cells.First[0]; x <= cells.Last[0]; ++x)
         {
-          return true;
+          if (test(row | static_cast<std::size_t>(x)))
+          {
+            return true;
+          }
         }
       }
     }
     return false;
   }
 
-  template <class Body>
-  static void ForEachCell(std::size_t size, Executor& executor, Body&& body)
+  void HandDownTo(int level, std::size_t begin, std::size_t end)
   {
-    executor.For(static_cast<std::int64_t>(size), 1 << 17, [&](std::int64_t begin, std::int64_t end) {
-      body(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
-    });
-  }
-
-  /** Give each cell's marks to the cells of the level below that lie in it, down to the finest level. */
-  void HandDown(Executor& executor)
-  {
-    for (int level = static_cast<int>(this->Levels.size()) - 1; level > 0; --level)
+    const std::array<int, 3> fine = this->BitsOf(level);
+    const std::array<int, 3> coarse = this->BitsOf(level + 1);
+    const std::atomic<Word>* const from = this->Levels[static_cast<std::size_t>(level) + 1].get();
+    std::atomic<Word>* const to = this->Levels[static_cast<std::size_t>(level)].get();
+    for (std::size_t cell = begin; cell < end; ++cell)
     {
-      const std::array<int, 3> coarse = this->BitsOf(level);
-      const std::array<int, 3> fine = this->BitsOf(level - 1);
-      const std::atomic<Word>* const from = this->Levels[static_cast<std::size_t>(level)].get();
-      std::atomic<Word>* const to = this->Levels[static_cast<std::size_t>(level) - 1].get();
-      ForEachCell(this->NumberOfCells(level - 1), executor, [=](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          const std::size_t x = i & ((std::size_t(1) << fine[0]) - 1);
-          const std::size_t y = i >> fine[0] & ((std::size_t(1) << fine[1]) - 1);
-          const std::size_t z = i >> (fine[0] + fine[1]);
-          const std::size_t above = ((z / 2) << coarse[1] | y / 2) << coarse[0] | x / 2;
-          Add(to[i], from[above].load(std::memory_order_relaxed));
-        }
-      });
+      const std::size_t x = cell & ((std::size_t(1) << fine[0]) - 1);
+      const std::size_t y = cell >> fine[0] & ((std::size_t(1) << fine[1]) - 1);
+      const std::size_t z = cell >> (fine[0] + fine[1]);
+      const std::size_t above = ((z / 2) << coarse[1] | y / 2) << coarse[0] | x / 2;
+      Add(to[cell], from[above].load(std::memory_order_relaxed));
     }
   }
 
-  /**
-   * Give each cell's value to those `stride` before and after it. What falls off a row's end arrives in the outer layer
-   * of cells on the other side, where nobody asks.
-   */
-  template <class Value>
-  void SpreadAlong(std::ptrdiff_t stride, const std::vector<Value>& from, std::vector<Value>& to, Executor& executor) const
-  {
-    ForEachCell(this->NumberOfCells(0), executor, [&](std::size_t begin, std::size_t end) {
-      const Value* const in = from.data() + this->Padding;
-      Value* const out = to.data() + this->Padding;
-      for (std::ptrdiff_t i = static_cast<std::ptrdiff_t>(begin); i < static_cast<std::ptrdiff_t>(end); ++i)
-      {
-        out[i] = static_cast<Value>(in[i - stride] | in[i] | in[i + stride]);
-      }
-    });
-  }
-
   std::array<int, 3> Bits;
-  std::size_t Padding; ///< cells before the first and after the last, one layer along z
   std::vector<std::unique_ptr<std::atomic<Word>[]>> Levels; ///< [0] is the finest
-  std::vector<std::uint8_t> Near;
 };
 
 } // namespace sb

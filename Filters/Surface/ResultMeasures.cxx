@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ResultMeasures.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -105,6 +106,40 @@ private:
   std::vector<std::int64_t> Ends;
 };
 
+/** What one operand's triangles add that are in the result as they are, or turned over. */
+ResultMeasures MeasureWholeTriangles(const sb::Surface& mesh, const sb::OperandReport& report,
+  const std::vector<sb::Fate>& fates, const Vector& apex, sb::Executor& executor)
+{
+  // Of a closed operand the whole is known: where most of it is kept, less work takes away the rest.
+  const auto count = static_cast<std::int64_t>(fates.size());
+  const bool fromWhole =
+    report.Closed && 2 * std::count(fates.begin(), fates.end(), sb::Fate::Kept) > count;
+  ResultMeasures result = SumOfBlocks(count, executor,
+    [&](std::int64_t triangle, ResultMeasures& sum) {
+      const sb::Fate fate = fates[triangle];
+      const double times =
+        fate == sb::Fate::Kept ? 1.0 : (fate == sb::Fate::KeptReversed ? -1.0 : 0.0);
+      const double more = fromWhole ? times - 1.0 : times;
+      if (more == 0.0)
+      {
+        return;
+      }
+      const std::int32_t* ids = mesh.Triangles + 3 * triangle;
+      ResultMeasures one;
+      AddTriangle(mesh.Points + 3 * static_cast<std::int64_t>(ids[0]),
+        mesh.Points + 3 * static_cast<std::int64_t>(ids[1]),
+        mesh.Points + 3 * static_cast<std::int64_t>(ids[2]), apex, 1.0, one);
+      sum.Volume += more * one.Volume;
+      sum.Area += (fromWhole ? std::abs(times) - 1.0 : 1.0) * one.Area;
+    });
+  if (fromWhole)
+  {
+    result.Volume += 6.0 * report.Volume;
+    result.Area += 2.0 * report.Area;
+  }
+  return result;
+}
+
 } // namespace
 
 ResultMeasures MeasureResult(const std::vector<std::shared_ptr<OperandSurface>>& operands,
@@ -118,19 +153,8 @@ ResultMeasures MeasureResult(const std::vector<std::shared_ptr<OperandSurface>>&
   };
   for (std::size_t operand = 0; operand < operands.size(); ++operand)
   {
-    const sb::Surface& mesh = operands[operand]->Mesh();
-    const std::vector<sb::Fate>& fates = result.Fates[operand];
-    add(SumOfBlocks(static_cast<std::int64_t>(fates.size()), executor,
-      [&](std::int64_t triangle, ResultMeasures& sum) {
-        if (fates[triangle] == sb::Fate::Kept || fates[triangle] == sb::Fate::KeptReversed)
-        {
-          const std::int32_t* ids = mesh.Triangles + 3 * triangle;
-          AddTriangle(mesh.Points + 3 * static_cast<std::int64_t>(ids[0]),
-            mesh.Points + 3 * static_cast<std::int64_t>(ids[1]),
-            mesh.Points + 3 * static_cast<std::int64_t>(ids[2]), apex,
-            fates[triangle] == sb::Fate::Kept ? 1.0 : -1.0, sum);
-        }
-      }));
+    add(MeasureWholeTriangles(operands[operand]->Mesh(), result.Operands[operand],
+      result.Fates[operand], apex, executor));
   }
   const Positions positions(operands, result);
   add(SumOfBlocks(static_cast<std::int64_t>(result.Split.Corners.size()), executor,

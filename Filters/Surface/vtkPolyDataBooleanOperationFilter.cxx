@@ -31,6 +31,7 @@
 #include <chrono>
 #include <cmath>
 #include <new>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -125,6 +126,8 @@ private:
   sbvtk::KernelExecutor Executor;
   Stopwatch Watch;
   std::vector<std::shared_ptr<sbvtk::OperandSurface>> Operands;
+  std::optional<sbvtk::AttributeUnion> PointArrays;
+  std::optional<sbvtk::AttributeUnion> CellArrays;
   std::vector<sb::StageTime> Times;
   sb::BooleanResult Result;
   sbvtk::ResultMeasures Measures;
@@ -258,10 +261,12 @@ void vtkPolyDataBooleanOperationFilter::Run::Compute()
     request.Operands.push_back({ connection.Surface->Mesh(), connection.Side,
       connection.Surface->Examination(this->Executor) });
   }
-  const bool seamsCarryArrays = !this->Attributes(true).IsEmpty();
+  this->PointArrays.emplace(this->Attributes(true));
+  this->CellArrays.emplace(this->Attributes(false));
   sbvtk::KernelMonitor monitor(this->Filter, 0.05, 0.9);
   this->Result = sb::ComputeBoolean(request,
-    seamsCarryArrays ? sb::SeamPoints::PerSide : sb::SeamPoints::Shared, this->Executor, monitor);
+    this->PointArrays->IsEmpty() ? sb::SeamPoints::Shared : sb::SeamPoints::PerSide, this->Executor,
+    monitor);
   this->Times.insert(this->Times.end(), this->Result.Times.begin(), this->Result.Times.end());
   this->Watch.Lap();
 }
@@ -339,8 +344,8 @@ void vtkPolyDataBooleanOperationFilter::Run::BuildOutputs()
 {
   const bool difference = this->Filter->Operation == VTK_DIFFERENCE ||
     this->Filter->Operation == VTK_SYMMETRIC_DIFFERENCE;
-  const sbvtk::AttributeUnion pointArrays = this->Attributes(true);
-  const sbvtk::AttributeUnion cellArrays = this->Attributes(false);
+  const sbvtk::AttributeUnion& pointArrays = *this->PointArrays;
+  const sbvtk::AttributeUnion& cellArrays = *this->CellArrays;
   this->Warn(pointArrays);
   this->Warn(cellArrays);
 
