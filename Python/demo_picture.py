@@ -13,6 +13,8 @@ APART = 0.44
 
 def make_view():
     view = simple.CreateView("RenderView", registrationName="Demo")
+    layout = simple.CreateLayout("Demo")  # without one, ParaView would not show the view of the state
+    simple.AssignViewToLayout(view=view, layout=layout)
     view.ViewSize = SIZE
     view.UseColorPaletteForBackground = 0
     view.Background = [1, 1, 1]

@@ -9,7 +9,8 @@ from paraview import servermanager
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 
-LIMIT = 1e-12  # of the volume of A: how exactly the volumes have to agree
+IDENTITY_LIMIT = 1e-12  # of the volume of A: how exactly the filter's volumes have to agree
+RECOUNT_LIMIT = 1e-7  # relative; quads with float points are bent a little, so their volume is not sharp
 
 
 def corners_by_position(surface):
@@ -86,7 +87,7 @@ def print_results(results):
             f"{claimed:>14.9f}{field(surface, 'ResultArea')[0]:>12.6f}{seconds:>10.3f}"
             f"  {field(surface, 'Message')[0]}"
         )
-        agrees = abs(volume(surface) - claimed) <= LIMIT * claimed
+        agrees = abs(volume(surface) - claimed) <= RECOUNT_LIMIT * claimed
         right = right and closed and status == 0 and agrees
     return right
 
@@ -102,7 +103,7 @@ def print_identities(results):
     print()
     for name, value in sums.items():
         print(f"{name:<40}{value / v['A']:>10.1e} of vol(A)")
-    return all(abs(value) <= LIMIT * v["A"] for value in sums.values())
+    return all(abs(value) <= IDENTITY_LIMIT * v["A"] for value in sums.values())
 
 
 def print_file(path):

@@ -33,7 +33,7 @@ from booleans import polydata  # noqa: E402
 from meshes import figure_5_pairs  # noqa: E402
 
 OPERATIONS = ("Union", "Intersection", "Difference")
-BLUE, RED, INK = (0.18, 0.38, 0.78), (0.80, 0.20, 0.17), (0.15, 0.17, 0.20)
+BLUE, RED, INK = (0.25, 0.48, 0.88), (0.90, 0.28, 0.23), (0.15, 0.17, 0.20)
 CELL, MARGIN = 360, 44  # pixels: one picture, the strip of labels
 
 
@@ -63,7 +63,7 @@ def surface_actor(source):
     mapper.UseLookupTableScalarRangeOn()
     actor = vtkActor()
     actor.SetMapper(mapper)
-    actor.GetProperty().SetSpecular(0.25)
+    actor.GetProperty().SetSpecular(0.15)
     actor.GetProperty().SetSpecularPower(30)
     return actor
 
@@ -94,9 +94,11 @@ def picture(pair, operation, viewport):
     creases.NonManifoldEdgesOff()
     creases.ManifoldEdgesOff()
     creases.SetFeatureAngle(25)
-    renderer.AddActor(line_actor(creases.GetOutputPort(), 1.5))
-    renderer.AddActor(line_actor(source.GetOutputPort(1), 2.5))
+    renderer.AddActor(line_actor(creases.GetOutputPort(), 2.0))
     kit = vtkLightKit()
+    kit.SetKeyLightIntensity(0.88)
+    kit.SetKeyToFillRatio(1.6)
+    kit.SetKeyToHeadRatio(1.4)
     kit.AddLightsToRenderer(renderer)
     look(renderer, pair)
     return renderer
@@ -108,12 +110,13 @@ def look(renderer, pair):
     lower = [min(p[:, k].min() for p in points) for k in range(3)]
     upper = [max(p[:, k].max() for p in points) for k in range(3)]
     center = [(a + b) / 2 for a, b in zip(lower, upper)]
+    radius = sum((b - a) ** 2 for a, b in zip(lower, upper)) ** 0.5 / 2
     camera = renderer.GetActiveCamera()
     camera.SetFocalPoint(*center)
     camera.SetPosition(center[0] + 2.6, center[1] - 2.1, center[2] + 1.9)
     camera.SetViewUp(0, 0, 1)
     camera.ParallelProjectionOn()
-    camera.SetParallelScale(0.86)
+    camera.SetParallelScale(1.02 * radius)
     renderer.ResetCameraClippingRange()
 
 

@@ -8,16 +8,22 @@ set -e
 packages="
   paraview paraview-dev python3-paraview
   g++ make cmake ninja-build
-  python3-dev qtbase5-dev qtxmlpatterns5-dev-tools libopenmpi-dev libeigen3-dev libutfcpp-dev
+  python3-dev qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools
+  libopenmpi-dev libeigen3-dev libutfcpp-dev
   libexpat1-dev liblzma-dev liblz4-dev libdouble-conversion-dev zlib1g-dev
   python3-numpy python3-pytest libboost-dev libcgal-demo
   xvfb xauth libqt5svg5
 "
 
+# On other systems CMake says what it misses.
+command -v dpkg-query >/dev/null || exit 0
+
+# shellcheck disable=SC2086  # one word a package, here and below
+installed=$(dpkg-query -W -f='${db:Status-Abbrev} ${Package}\n' $packages 2>/dev/null | sed -n 's/^ii *//p' | tr '\n' ' ')
 missing=""
 for package in $packages; do
-  case "$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null)" in
-    "install ok installed") ;;
+  case " $installed" in
+    *" $package "*) ;;
     *) missing="$missing $package" ;;
   esac
 done
@@ -30,5 +36,4 @@ if [ "$(id -u)" -ne 0 ]; then
 fi
 export DEBIAN_FRONTEND=noninteractive
 apt-get update -qq
-# shellcheck disable=SC2086  # one word a package
 apt-get install -y -qq --no-install-recommends $missing

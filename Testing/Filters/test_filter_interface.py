@@ -222,6 +222,38 @@ def test_polygons_of_any_shape_are_read_right():
     assert measures.open_edges(cut.body) == 0
 
 
+def random_star(rng, corners):
+    """A polygon on whole numbers that goes once round the origin, in and out: rarely convex, some corners on a line."""
+    steps = np.sort(rng.choice(64, corners, replace=False)) * (2 * np.pi / 64)
+    radii = rng.integers(300, 1000, corners)
+    outline = np.round(np.c_[radii * np.cos(steps), radii * np.sin(steps)])
+    middle = rng.integers(corners)
+    between = (outline[middle] + np.roll(outline, -1, axis=0)[middle]) / 2
+    return np.insert(outline, middle + 1, between, axis=0)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_a_prism_over_any_polygon_has_its_volume_and_is_cut_right(seed):
+    rng = np.random.default_rng(seed)
+    outline = random_star(rng, int(rng.integers(12, 30)))
+    count = len(outline)
+    following = np.roll(outline, -1, axis=0)
+    base = np.sum(outline[:, 0] * following[:, 1] - outline[:, 1] * following[:, 0]) / 2
+    order = rng.permutation(3)  # which coordinate comes where: the caps may face any axis
+    keeps_sense = np.linalg.det(np.eye(3)[order]) > 0
+    points = np.concatenate([np.c_[outline, np.full(count, z)] for z in (0.0, 100.0)])[:, order]
+    sides = [[k, (k + 1) % count, (k + 1) % count + count, k + count] for k in range(count)]
+    faces = [list(range(count - 1, -1, -1)), list(range(count, 2 * count)), *sides]
+    prism = polydata(meshes.mesh(points, []), faces if keeps_sense else [face[::-1] for face in faces])
+    alone = boolean([prism], [], UNION)
+    assert alone.field_data["OperandVolume"][0] == pytest.approx(100 * base, rel=1e-13)
+    assert alone.surface.GetNumberOfCells() == count + 2
+    lower = np.where(order == 2, 50.0, -5000.0)
+    cut = boolean([prism], [meshes.box(lower, (5000.0, 5000.0, 5000.0))], DIFFERENCE)
+    assert cut.volume == pytest.approx(50 * base, rel=1e-13)
+    assert measures.open_edges(cut.body) == 0 and not cut.errors and not cut.warnings
+
+
 def test_polygons_with_corners_on_a_line_and_far_from_flat_stay_closed():
     # A cube with a point in the middle of an edge, which only one of the two faces at that edge passes through a bend.
     points = np.concatenate([CUBE_POINTS, [[1.0, -0.25, 2.0]], [[1.0, 2.0, 2.0]]])

@@ -120,10 +120,11 @@ def test_many_inputs_against_many_tools():
 
 
 def test_more_than_sixty_four_operands_common_to_all():
-    """No bit mask of operands: seventy boxes along a diagonal have a small box in common."""
-    boxes = [meshes.box((k / 256,) * 3, (1 + k / 256,) * 3) for k in range(70)]
+    """No bit mask of operands: sixty-eight nested boxes and two that cross them all have a small box in common."""
+    boxes = [meshes.box((-1 - k / 256,) * 3, (1 + k / 256,) * 3) for k in range(68)]
+    boxes += [meshes.box((-0.5, -3, -3), (3, 3, 3)), meshes.box((-3, -3, -3), (0.25, 3, 0.5))]
     result = boolean(boxes, [], INTERSECTION)
     assert result.status == 0 and measures.open_edges(result.body) == 0
-    edge = 1 - 69 / 256
-    assert result.volume == pytest.approx(edge**3, rel=1e-14)
-    assert result.area == pytest.approx(6 * edge**2, rel=1e-14)
+    assert result.volume == pytest.approx(0.75 * 2 * 1.5, rel=1e-14)
+    assert result.area == pytest.approx(2 * (0.75 * 2 + 2 * 1.5 + 0.75 * 1.5), rel=1e-14)
+
