@@ -68,7 +68,7 @@ def main(folder):
 
     drilled = boolean("Drilled", "Difference", bodies, tools)
     drilled.UpdatePipeline()
-    # In the legacy format: a .vtp file as ParaView writes it cannot be read again on Debian 12 (README).
+    # Not .vtp: as ParaView writes it, Debian 12 cannot read it again (README).
     result_file = folder / "drilled_elephant.vtk"
     simple.SaveData(str(result_file), proxy=drilled)
 

@@ -13,7 +13,7 @@ APART = 0.44
 
 def make_view():
     view = simple.CreateView("RenderView", registrationName="Demo")
-    layout = simple.CreateLayout("Demo")  # without one, ParaView would not show the view of the state
+    layout = simple.CreateLayout("Demo")  # or ParaView would not show the view of the state
     simple.AssignViewToLayout(view=view, layout=layout)
     view.ViewSize = SIZE
     view.UseColorPaletteForBackground = 0
@@ -36,8 +36,8 @@ def make_view():
 
 def aim(view):
     """Last, as the first render looks at everything shown."""
-    view.CameraPosition = [0.68, 0.545, 4.0]
-    view.CameraFocalPoint = [-0.02, -0.105, 0]
+    view.CameraPosition = [0.735, 0.545, 4.0]
+    view.CameraFocalPoint = [0.035, -0.105, 0]
     view.CameraViewUp = [0, 1, 0]
     view.CameraParallelProjection = 1
     view.CameraParallelScale = 0.645

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the demo prints: the field data of its results, and checks that do not rest on the filter."""
+"""What the demo prints: field data of its results, and checks that do not rest on the filter."""
 
 import time
 
@@ -10,7 +10,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 
 IDENTITY_LIMIT = 1e-12  # of the volume of A: how exactly the filter's volumes have to agree
-RECOUNT_LIMIT = 1e-7  # relative; quads with float points are bent a little, so their volume is not sharp
+RECOUNT_LIMIT = 1e-7  # relative; quads with float points are bent a little
 
 
 def corners_by_position(surface):
@@ -94,7 +94,10 @@ def print_results(results):
 
 def print_identities(results):
     """What set theory says of the volumes; each sum would be 0 without rounding."""
-    v = {name: field(servermanager.Fetch(result), "ResultVolume")[0] for name, result in results.items()}
+    v = {
+        name: field(servermanager.Fetch(result), "ResultVolume")[0]
+        for name, result in results.items()
+    }
     sums = {
         "vol(A|B) + vol(A&B) - vol(A) - vol(B)": v["A | B"] + v["A & B"] - v["A"] - v["B"],
         "vol(A-B) + vol(A&B) - vol(A)": v["A - B"] + v["A & B"] - v["A"],
@@ -120,6 +123,7 @@ def print_stages(result):
     """Where the time of a result went."""
     surface = servermanager.Fetch(result)
     stages = dict(zip(field(surface, "StageNames"), field(surface, "StageSeconds")))
-    print(f"\nA - B took {sum(stages.values()):.3f} s for {field(surface, 'ContactCount')[0]:,} contacts:")
+    contacts = field(surface, "ContactCount")[0]
+    print(f"\nA - B took {sum(stages.values()):.3f} s for {contacts:,} contacts:")
     for name, seconds in stages.items():
         print(f"  {name:<18}{seconds:>8.3f} s")
