@@ -141,7 +141,7 @@ def candidates(triangles, points):
     lower, upper = triangles.min(axis=1), triangles.max(axis=1)
     origin = lower.min(axis=0)
     extent = np.maximum(upper.max(axis=0) - origin, 1e-300)
-    cells = int(np.clip(math.sqrt(len(triangles)), 64, 512))
+    cells = int(np.clip(4 * math.sqrt(len(triangles)), 1, 512))
     while True:
         first = np.clip(((lower - origin) / extent * cells).astype(int) - 1, 0, cells - 1)
         last = np.clip(((upper - origin) / extent * cells).astype(int) + 1, 0, cells - 1)

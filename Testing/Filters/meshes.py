@@ -290,6 +290,17 @@ def random_convex_body(rng, corners=16, bits=20):
     return mesh(hull.points.astype(float) / 2**bits, hull.triangles)
 
 
+def random_grid_body(rng, grid=4, bodies=1):
+    """Closed bodies with few corners on a small grid, on top of each other: hardly a place is generic."""
+    parts = []
+    while len(parts) < bodies:
+        corners = np.unique(rng.integers(0, grid + 1, (rng.integers(4, 9), 3)), axis=0)
+        if len(corners) > 3 and np.linalg.matrix_rank(corners[1:] - corners[0]) == 3:
+            part = convex_hull(corners.astype(object))
+            parts += [part] if len(part.triangles) > 3 else []
+    return joined(*parts)
+
+
 def flip_all_reflex(points, triangles, exact):
     """Turn the diagonals of nearly flat quads until no edge is reflex; `exact` holds integer points.
 

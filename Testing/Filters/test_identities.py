@@ -271,6 +271,34 @@ def test_the_order_of_operands_does_not_matter(name):
             assert one.area == pytest.approx(other.area, rel=1e-12)
 
 
+OVERLAPPING = {  # what a group of operands may be made of, beside clean bodies
+    "clean": lambda rng: meshes.random_grid_body(rng),
+    "overlapping": lambda rng: meshes.random_grid_body(rng, bodies=int(rng.integers(2, 4))),
+    "doubled": lambda rng: meshes.joined(*[meshes.random_grid_body(rng)] * 2),
+    "hollowed": lambda rng: meshes.joined(
+        meshes.random_grid_body(rng, bodies=2), meshes.inside_out(meshes.random_grid_body(rng, 2))
+    ),
+}
+
+
+@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("kind", OVERLAPPING)
+def test_bodies_on_a_tiny_grid_enclose_what_their_winding_numbers_say(kind, seed):
+    """Several operands on either port, that overlap themselves and have parts turned inside out."""
+    rng = np.random.default_rng([8, seed])
+    inputs = [OVERLAPPING[kind](rng) for _ in range(int(rng.integers(1, 3)))]
+    tools = [OVERLAPPING[kind](rng), meshes.random_grid_body(rng)]
+    inputs, tools = ([b for b in group if measures.volume(b) > 0] for group in (inputs, tools))
+    if not inputs or not tools:
+        inputs, tools = [meshes.cube(3.0)], [meshes.random_grid_body(rng)]
+    for operation in (*SET_OPERATIONS, RESOLVE):
+        result = boolean(inputs, tools, operation)
+        assert result.status == 0 and measures.open_edges(result.body) == 0, operation
+        points = measures.probes(rng, [*inputs, *tools, result.body], 150, 1e-4)
+        expected = measures.expected_inside(operation, inputs, tools, points)
+        assert np.array_equal(measures.inside(result.body, points), expected), operation
+
+
 # ---- invariance -----------------------------------------------------------------------------------
 
 
