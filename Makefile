@@ -20,7 +20,7 @@ test: build
 	  && echo "PASSED: all tests." || { echo "FAILED: see the tests listed above."; exit 1; }
 
 demo: build
-	@. $(BUILD)/env.sh && xvfb-run -a pvpython Python/demo.py
+	@. $(BUILD)/env.sh && xvfb-run -a -s "-noreset" pvpython Python/demo.py "$(BUILD)/demo"
 
 bench: build
 	@. $(BUILD)/env.sh && Testing/Benchmarks/run.sh

@@ -152,7 +152,9 @@ def main(path):
             box = (left / width, bottom / height, (left + CELL) / width, (bottom + CELL) / height)
             window.AddRenderer(picture(pair, operation, box))
     for column, name in enumerate(pairs):
-        label(labels, name.replace("-", " and "), MARGIN + CELL * (column + 0.5), height - MARGIN / 2)
+        label(
+            labels, name.replace("-", " and "), MARGIN + CELL * (column + 0.5), height - MARGIN / 2
+        )
     window.Render()
     grab = vtkWindowToImageFilter()
     grab.SetInput(window)

@@ -32,12 +32,6 @@ std::uint64_t Spread(std::uint64_t bits)
   return (bits | bits << 2) & 0x1249249249249249u;
 }
 
-double LongestSide(const Box& box)
-{
-  return std::max({ box.Upper[0] - box.Lower[0], box.Upper[1] - box.Lower[1],
-    box.Upper[2] - box.Lower[2] });
-}
-
 /** The binary order of magnitude of a box, points and huge boxes clamped. */
 int Magnitude(const Box& box)
 {
@@ -48,15 +42,15 @@ int Magnitude(const Box& box)
 
 void BVH::Build(const Box* boxes, std::int32_t count, Executor& executor)
 {
-  this->Boxes = boxes;
-  this->Order.clear();
+  this->Numbers.clear();
+  this->Boxes.clear();
   this->Levels.clear();
   if (count <= 0)
   {
     return;
   }
-  this->ChooseFrame(executor, count);
-  this->SortAlongCurve(executor, count);
+  this->ChooseFrame(boxes, count, executor);
+  this->SortAlongCurve(boxes, count, executor);
   this->FillLowestLevel(executor);
   while (this->Levels.back().size() > 1)
   {
@@ -65,7 +59,7 @@ void BVH::Build(const Box* boxes, std::int32_t count, Executor& executor)
 }
 
 /** The frame has its origin in the middle of all boxes, which it scales into [-1, 1] by a power of two. */
-void BVH::ChooseFrame(Executor& executor, std::int32_t count)
+void BVH::ChooseFrame(const Box* boxes, std::int32_t count, Executor& executor)
 {
   struct Part
   {
@@ -76,12 +70,12 @@ void BVH::ChooseFrame(Executor& executor, std::int32_t count)
   executor.For(static_cast<std::int64_t>(parts.size()), 1, [&](std::int64_t begin, std::int64_t end) {
     for (std::int64_t part = begin; part < end; ++part)
     {
-      Part sum{ this->Boxes[part * Grain], 0 };
+      Part sum{ boxes[part * Grain], 0 };
       const std::int64_t last = std::min<std::int64_t>(count, (part + 1) * Grain);
       for (std::int64_t i = part * Grain; i < last; ++i)
       {
-        Enclose(sum.Bounds, this->Boxes[i]);
-        sum.Magnitudes += Magnitude(this->Boxes[i]);
+        Enclose(sum.Bounds, boxes[i]);
+        sum.Magnitudes += Magnitude(boxes[i]);
       }
       parts[static_cast<std::size_t>(part)] = sum;
     }
@@ -111,14 +105,14 @@ void BVH::ChooseFrame(Executor& executor, std::int32_t count)
  * Along the Morton curve through the boxes' middles, boxes much larger than usual apart from the others: one huge box
  * among small ones would make all the nodes above it huge.
  */
-void BVH::SortAlongCurve(Executor& executor, std::int32_t count)
+void BVH::SortAlongCurve(const Box* boxes, std::int32_t count, Executor& executor)
 {
   std::vector<KeyedIndex> keys(static_cast<std::size_t>(count));
   executor.For(count, Grain, [&](std::int64_t begin, std::int64_t end) {
     constexpr double cells = 1 << BitsAnAxis;
     for (std::int64_t i = begin; i < end; ++i)
     {
-      const Box& box = this->Boxes[i];
+      const Box& box = boxes[i];
       std::uint64_t key = static_cast<std::uint64_t>(
         std::clamp((Magnitude(box) - this->UsualMagnitude) / 3, 0, (1 << ClassBits) - 1));
       key <<= 3 * BitsAnAxis;
@@ -133,26 +127,28 @@ void BVH::SortAlongCurve(Executor& executor, std::int32_t count)
   });
   RadixSort(
     keys, [](const KeyedIndex& keyed) { return keyed.Key; }, 3 * BitsAnAxis + ClassBits, executor);
-  this->Order.resize(keys.size());
+  this->Numbers.resize(keys.size());
+  this->Boxes.resize(keys.size());
   executor.For(count, Grain, [&](std::int64_t begin, std::int64_t end) {
     for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
     {
-      this->Order[i] = keys[i].Index;
+      this->Numbers[i] = keys[i].Index;
+      this->Boxes[i] = boxes[keys[i].Index];
     }
   });
 }
 
 void BVH::FillLowestLevel(Executor& executor)
 {
-  const std::size_t count = this->Order.size();
+  const std::size_t count = this->Numbers.size();
   std::vector<Node>& nodes = this->Levels.emplace_back((count + Width - 1) / Width);
   executor.For(static_cast<std::int64_t>(nodes.size()), Grain / Width, [&](std::int64_t begin, std::int64_t end) {
     for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
     {
-      for (std::size_t lane = 0; lane < Width; ++lane)
+      for (int lane = 0; lane < Width; ++lane)
       {
-        const std::size_t place = i * Width + lane;
-        nodes[i].Set(lane, place < count ? this->ToFrame(this->Boxes[this->Order[place]]) : Nothing());
+        const std::size_t place = i * Width + static_cast<std::size_t>(lane);
+        nodes[i].Set(lane, place < count ? this->ToFrame(this->Boxes[place]) : Nothing());
       }
     }
   });
@@ -165,9 +161,9 @@ void BVH::FillNextLevel(Executor& executor)
   executor.For(static_cast<std::int64_t>(nodes.size()), Grain / Width, [&](std::int64_t begin, std::int64_t end) {
     for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
     {
-      for (std::size_t lane = 0; lane < Width; ++lane)
+      for (int lane = 0; lane < Width; ++lane)
       {
-        const std::size_t child = i * Width + lane;
+        const std::size_t child = i * Width + static_cast<std::size_t>(lane);
         nodes[i].Set(lane, child < below.size() ? below[child].Bounds() : Nothing());
       }
     }

@@ -20,6 +20,10 @@
 #include <cstdint>
 #include <vector>
 
+#if defined(__SSE2__) || defined(_M_X64)
+#include <emmintrin.h>
+#endif
+
 namespace sb
 {
 
@@ -29,6 +33,12 @@ struct Box
   std::array<double, 3> Lower;
   std::array<double, 3> Upper;
 };
+
+inline double LongestSide(const Box& box)
+{
+  return std::max({ box.Upper[0] - box.Lower[0], box.Upper[1] - box.Lower[1],
+    box.Upper[2] - box.Lower[2] });
+}
 
 /** Grow `box` until it holds `other`. */
 inline void Enclose(Box& box, const Box& other)
@@ -51,17 +61,30 @@ inline bool Overlap(const Box& a, const Box& b)
 class BVH
 {
 public:
-  /** Build over boxes[0..count), which stay the caller's and have to stay unchanged while the hierarchy is used. */
+  /** Build over boxes[0..count), which are copied. */
   void Build(const Box* boxes, std::int32_t count, Executor& executor);
 
-  std::int32_t Size() const { return static_cast<std::int32_t>(this->Order.size()); }
+  std::int32_t Size() const { return static_cast<std::int32_t>(this->Numbers.size()); }
 
-  /** Call visit(i) for each box i that meets the closed box `query`; the order is that of the hierarchy. */
+  /** A box that is asked about, and the first of the hierarchy's boxes that it is to meet. */
+  struct Query
+  {
+    Box Extent;
+    std::int32_t First;
+  };
+
+  /** This many queries may be asked together. */
+  static constexpr int Width = 8;
+
+  /**
+   * Call visit(query, i) for each of the queries and each box i >= its First that meets it, in the order of the
+   * hierarchy. Queries near each other share most of the work. With First = i + 1 for box i itself as the query, each
+   * pair of boxes is found once.
+   */
   template <class Visit>
-  void ForEachOverlap(const Box& query, Visit&& visit) const;
+  void ForEachOverlap(const Query* queries, int numberOfQueries, Visit&& visit) const;
 
 private:
-  static constexpr int Width = 8;
   static constexpr int MostLevels = 11; // 8^11 > 2^31
 
   struct FloatBox
@@ -76,7 +99,8 @@ private:
     float Lower[3][Width];
     float Upper[3][Width];
 
-    void Set(std::size_t lane, const FloatBox& box);
+    void Set(int lane, const FloatBox& box);
+    FloatBox Get(int lane) const;
     FloatBox Bounds() const;
     unsigned LanesThatMeet(const FloatBox& query) const;
   };
@@ -87,29 +111,36 @@ private:
     std::int32_t Index;
   };
 
-  void ChooseFrame(Executor& executor, std::int32_t count);
-  void SortAlongCurve(Executor& executor, std::int32_t count);
+  void ChooseFrame(const Box* boxes, std::int32_t count, Executor& executor);
+  void SortAlongCurve(const Box* boxes, std::int32_t count, Executor& executor);
   void FillLowestLevel(Executor& executor);
   void FillNextLevel(Executor& executor);
 
   FloatBox ToFrame(const Box& box) const;
   static FloatBox Nothing();
+  static int LowestLane(unsigned lanes);
 
-  const Box* Boxes = nullptr;
   std::array<double, 3> Origin{};
   double Scale = 1.0; ///< a power of two, so that only the subtraction of the origin rounds
   int UsualMagnitude = 0; ///< mean binary exponent of the boxes' longest sides
-  std::vector<std::int32_t> Order;
-  std::vector<std::vector<Node>> Levels; ///< [0] holds the boxes; the last has one node
+  std::vector<std::int32_t> Numbers;      ///< of the boxes, in their order along the curve
+  std::vector<Box> Boxes;                 ///< in that order too, for one cache line serves neighbours
+  std::vector<std::vector<Node>> Levels;  ///< [0] holds the boxes; the last has one node
 };
 
-inline void BVH::Node::Set(std::size_t lane, const FloatBox& box)
+inline void BVH::Node::Set(int lane, const FloatBox& box)
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     this->Lower[axis][lane] = box.Lower[axis];
     this->Upper[axis][lane] = box.Upper[axis];
   }
+}
+
+inline BVH::FloatBox BVH::Node::Get(int lane) const
+{
+  return { { this->Lower[0][lane], this->Lower[1][lane], this->Lower[2][lane] },
+    { this->Upper[0][lane], this->Upper[1][lane], this->Upper[2][lane] } };
 }
 
 inline BVH::FloatBox BVH::Node::Bounds() const
@@ -125,18 +156,48 @@ inline BVH::FloatBox BVH::Node::Bounds() const
 
 inline unsigned BVH::Node::LanesThatMeet(const FloatBox& query) const
 {
-  // Written for the compiler's vectoriser: no branch, no shift by the lane.
-  static constexpr std::int32_t bit[Width] = { 1, 2, 4, 8, 16, 32, 64, 128 };
-  std::int32_t lanes = 0;
-  for (std::size_t lane = 0; lane < Width; ++lane)
+#if defined(__SSE2__) || defined(_M_X64)
+  // Compilers do not find this by themselves, and it is most of what a query does.
+  unsigned lanes = 0;
+  for (int half = 0; half < Width; half += 4)
+  {
+    __m128 meets = _mm_castsi128_ps(_mm_set1_epi32(-1));
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const __m128 lower = _mm_load_ps(this->Lower[axis] + half);
+      const __m128 upper = _mm_load_ps(this->Upper[axis] + half);
+      meets = _mm_and_ps(meets, _mm_cmple_ps(lower, _mm_set1_ps(query.Upper[axis])));
+      meets = _mm_and_ps(meets, _mm_cmple_ps(_mm_set1_ps(query.Lower[axis]), upper));
+    }
+    lanes |= static_cast<unsigned>(_mm_movemask_ps(meets)) << half;
+  }
+  return lanes;
+#else
+  unsigned lanes = 0;
+  for (unsigned lane = 0; lane < Width; ++lane)
   {
     const bool meets = (this->Lower[0][lane] <= query.Upper[0]) &
       (query.Lower[0] <= this->Upper[0][lane]) & (this->Lower[1][lane] <= query.Upper[1]) &
       (query.Lower[1] <= this->Upper[1][lane]) & (this->Lower[2][lane] <= query.Upper[2]) &
       (query.Lower[2] <= this->Upper[2][lane]);
-    lanes |= meets ? bit[lane] : 0;
+    lanes |= static_cast<unsigned>(meets) << lane;
   }
-  return static_cast<unsigned>(lanes);
+  return lanes;
+#endif
+}
+
+inline int BVH::LowestLane(unsigned lanes)
+{
+#if defined(__GNUC__)
+  return __builtin_ctz(lanes);
+#else
+  int lane = 0;
+  for (; (lanes & 1u) == 0; lanes >>= 1)
+  {
+    ++lane;
+  }
+  return lane;
+#endif
 }
 
 inline BVH::FloatBox BVH::Nothing()
@@ -161,39 +222,45 @@ inline BVH::FloatBox BVH::ToFrame(const Box& box) const
 }
 
 template <class Visit>
-void BVH::ForEachOverlap(const Box& query, Visit&& visit) const
+void BVH::ForEachOverlap(const Query* queries, int numberOfQueries, Visit&& visit) const
 {
-  if (this->Order.empty())
+  if (this->Numbers.empty())
   {
     return;
   }
-  const FloatBox inFrame = this->ToFrame(query);
+  // The queries make a node of their own. Its bounds find the boxes, each of which then meets all queries at once.
+  Node asking;
+  for (int lane = 0; lane < Width; ++lane)
+  {
+    asking.Set(lane, lane < numberOfQueries ? this->ToFrame(queries[lane].Extent) : Nothing());
+  }
+  const FloatBox bounds = asking.Bounds();
   std::array<NodeId, MostLevels * Width> open;
-  int numberOpen = 0;
+  std::size_t numberOpen = 1;
   open[0] = { static_cast<std::int32_t>(this->Levels.size()) - 1, 0 };
-  ++numberOpen;
   while (numberOpen > 0)
   {
-    const NodeId id = open[static_cast<std::size_t>(--numberOpen)];
+    const NodeId id = open[--numberOpen];
     const Node& node =
       this->Levels[static_cast<std::size_t>(id.Level)][static_cast<std::size_t>(id.Index)];
-    unsigned lanes = node.LanesThatMeet(inFrame);
-    for (int lane = 0; lanes != 0; ++lane, lanes >>= 1)
+    for (unsigned lanes = node.LanesThatMeet(bounds); lanes != 0; lanes &= lanes - 1)
     {
-      if ((lanes & 1u) == 0)
-      {
-        continue;
-      }
+      const int lane = LowestLane(lanes);
       const std::int32_t child = id.Index * Width + lane;
       if (id.Level > 0)
       {
-        open[static_cast<std::size_t>(numberOpen++)] = { id.Level - 1, child };
+        open[numberOpen++] = { id.Level - 1, child };
         continue;
       }
-      const std::int32_t box = this->Order[static_cast<std::size_t>(child)];
-      if (Overlap(this->Boxes[box], query))
+      for (unsigned hits = asking.LanesThatMeet(node.Get(lane)); hits != 0; hits &= hits - 1)
       {
-        visit(box);
+        const int query = LowestLane(hits);
+        const std::int32_t number = this->Numbers[static_cast<std::size_t>(child)];
+        if (number >= queries[query].First &&
+          Overlap(this->Boxes[static_cast<std::size_t>(child)], queries[query].Extent))
+        {
+          visit(query, number);
+        }
       }
     }
   }

@@ -124,18 +124,16 @@ public:
     this->Tree.Build(this->Boxes.data(), static_cast<std::int32_t>(this->Boxes.size()), executor);
   }
 
-  /** Call visit(i, j, common part) for all surfaces i and j whose boxes meet: each pair both ways round. */
+  /** Call visit(i, j, common part) for all surfaces i < j whose boxes meet. */
   template <class Visit>
   void ForEachPair(Visit&& visit) const
   {
     for (std::size_t i = 0; i < this->Boxes.size(); ++i)
     {
-      this->Tree.ForEachOverlap(this->Boxes[i], [&](std::int32_t other) {
+      const BVH::Query query{ this->Boxes[i], static_cast<std::int32_t>(i) + 1 };
+      this->Tree.ForEachOverlap(&query, 1, [&](int, std::int32_t other) {
         const std::size_t j = static_cast<std::size_t>(other);
-        if (i != j)
-        {
-          visit(this->Ids[i], this->Ids[j], CommonPart(this->Boxes[i], this->Boxes[j]));
-        }
+        visit(this->Ids[i], this->Ids[j], CommonPart(this->Boxes[i], this->Boxes[j]));
       });
     }
   }
@@ -156,8 +154,9 @@ std::vector<Box> FindRegions(const Surfaces& surfaces, const Neighbourhood& neig
       regions[i] = BoxOf(surfaces[i]);
     }
   }
-  neighbourhood.ForEachPair([&](std::size_t i, std::size_t, const Box& common) {
+  neighbourhood.ForEachPair([&](std::size_t i, std::size_t j, const Box& common) {
     Enclose(regions[i], common);
+    Enclose(regions[j], common);
   });
   return regions;
 }
@@ -433,23 +432,29 @@ private:
     std::uint32_t* const codes = this->CodesOf(block.Surface);
     const CellRange& inside = this->Insides[block.Surface];
     const Word mark = this->MarkOf(block.Surface);
+    std::array<double, 3> before;
+    std::array<double, 3> behind;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      before[axis] = inside.First[axis] - 1;
+      behind[axis] = inside.Last[axis] + 1;
+    }
+    const GridShape shape = this->Shape; // a copy, which the marks cannot be suspected to change
     for (std::int64_t i = block.Begin; i < block.End; ++i)
     {
       std::array<std::int32_t, 3> cell;
       bool isInside = true;
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        const std::int32_t before = inside.First[axis] - 1;
-        const std::int32_t behind = inside.Last[axis] + 1;
-        cell[axis] =
-          this->Shape.Cell(points[3 * i + static_cast<std::int64_t>(axis)], axis, before, behind);
-        isInside = isInside & (cell[axis] != before) & (cell[axis] != behind);
+        const double coordinate = points[3 * i + static_cast<std::int64_t>(axis)];
+        cell[axis] = shape.Cell(coordinate, axis, before[axis], behind[axis]);
+        isInside = isInside & (cell[axis] >= inside.First[axis]) & (cell[axis] <= inside.Last[axis]);
       }
-      codes[i] = this->Shape.Code(cell);
+      const std::uint32_t code = shape.Code(cell);
+      codes[i] = isInside ? code | Flag : code;
       if (isInside)
       {
-        this->Grid.MarkCell(this->Shape.Index(codes[i]), mark);
-        codes[i] |= Flag;
+        this->Grid.MarkCell(shape.Index(code), mark);
         block.Inside = true;
       }
     }
@@ -461,6 +466,7 @@ private:
     const std::int32_t* const triangles = this->AllSurfaces[surface].Triangles;
     const std::uint32_t* const codes = this->CodesOf(surface);
     const Word mark = this->MarkOf(surface);
+    const GridShape shape = this->Shape;
     std::uint32_t flags = 0;
     for (std::int64_t triangle = chunk.Begin; triangle < chunk.End; ++triangle)
     {
@@ -469,7 +475,7 @@ private:
       const std::uint32_t b = codes[corners[1]];
       const std::uint32_t c = codes[corners[2]];
       flags |= a | b | c;
-      if (this->Shape.IsCompact(a, b, c))
+      if (shape.IsCompact(a, b, c))
       {
         continue;
       }
@@ -634,12 +640,26 @@ std::vector<Survivor> FindSurvivors(const Surfaces& surfaces, const Neighbourhoo
     : SurvivorSearch<std::uint32_t>(surfaces, regions, executor, monitor).Run();
 }
 
-/** What a surface does in step 5. */
+/** What a surface does in step 5. Its survivors are in a row, and so are those of them in the tree. */
 struct Role
 {
-  std::int64_t NumberOfSurvivors = 0;
+  std::int32_t Begin = 0;     ///< its first survivor
+  std::int32_t End = 0;       ///< one past its last
+  std::int32_t TreeBegin = 0; ///< how many boxes of the surfaces before it are in the tree
+  bool Self = false;
   bool InTree = false;
   bool Asks = false;
+
+  std::int32_t NumberOfSurvivors() const { return this->End - this->Begin; }
+
+  /**
+   * The first box in the tree to ask survivor i about. Each pair has to be found from one side only: where both surfaces
+   * are in the tree, from the lower survivor; where one is, from the other.
+   */
+  std::int32_t FirstBox(std::int32_t i) const
+  {
+    return !this->InTree ? 0 : this->TreeBegin + (this->Self ? i + 1 : this->End) - this->Begin;
+  }
 };
 
 std::vector<Role> AssignRoles(const Surfaces& surfaces, const Neighbourhood& neighbourhood,
@@ -648,23 +668,30 @@ std::vector<Role> AssignRoles(const Surfaces& surfaces, const Neighbourhood& nei
   std::vector<Role> roles(surfaces.size());
   for (const Survivor& survivor : survivors)
   {
-    ++roles[static_cast<std::size_t>(survivor.Surface)].NumberOfSurvivors;
+    ++roles[static_cast<std::size_t>(survivor.Surface)].End;
   }
-  const auto isLighter = [&roles](std::size_t i, std::size_t j) {
-    return roles[i].NumberOfSurvivors != roles[j].NumberOfSurvivors
-      ? roles[i].NumberOfSurvivors < roles[j].NumberOfSurvivors
-      : i < j;
-  };
+  std::int32_t end = 0;
+  for (Role& role : roles)
+  {
+    role.Begin = end;
+    role.End = end += role.End;
+  }
   for (std::size_t i = 0; i < surfaces.size(); ++i)
   {
-    roles[i].InTree = roles[i].Asks = surfaces[i].Self;
+    roles[i].InTree = roles[i].Asks = roles[i].Self = surfaces[i].Self;
   }
   neighbourhood.ForEachPair([&](std::size_t i, std::size_t j, const Box&) {
-    roles[i].InTree = roles[i].InTree || isLighter(i, j);
+    (roles[i].NumberOfSurvivors() <= roles[j].NumberOfSurvivors() ? roles[i] : roles[j]).InTree = true;
   });
   neighbourhood.ForEachPair([&](std::size_t i, std::size_t j, const Box&) {
-    roles[i].Asks = roles[i].Asks || (roles[j].InTree && (!roles[i].InTree || i < j));
+    (roles[j].InTree ? roles[i] : roles[j]).Asks = true;
   });
+  std::int32_t boxes = 0;
+  for (Role& role : roles)
+  {
+    role.TreeBegin = boxes;
+    boxes += role.InTree ? role.NumberOfSurvivors() : 0;
+  }
   return roles;
 }
 
@@ -685,15 +712,16 @@ public:
         this->InTree.push_back(static_cast<std::int32_t>(i));
       }
     }
-    this->Boxes.resize(this->InTree.size());
-    executor.For(static_cast<std::int64_t>(this->Boxes.size()), Grain,
-      [&](std::int64_t begin, std::int64_t end) {
-        for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+    std::vector<Box> boxes(this->InTree.size());
+    executor.For(
+      static_cast<std::int64_t>(boxes.size()), Grain, [&](std::int64_t begin, std::int64_t end) {
+        for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end);
+             ++i)
         {
-          this->Boxes[i] = this->BoxOfSurvivor(this->InTree[i]);
+          boxes[i] = this->BoxOfSurvivor(this->InTree[i]);
         }
       });
-    this->Tree.Build(this->Boxes.data(), static_cast<std::int32_t>(this->Boxes.size()), executor);
+    this->Tree.Build(boxes.data(), static_cast<std::int32_t>(boxes.size()), executor);
   }
 
   std::vector<std::uint64_t> Run(Executor& executor, Monitor& monitor) const
@@ -703,11 +731,9 @@ public:
     executor.For(static_cast<std::int64_t>(found.size()), 1, [&](std::int64_t begin, std::int64_t end) {
       for (std::int64_t block = begin; block < end && !monitor.Aborted(); ++block)
       {
-        const std::int64_t last = std::min(count, (block + 1) * Grain);
-        for (std::int64_t i = block * Grain; i < last; ++i)
-        {
-          this->Ask(static_cast<std::int32_t>(i), found[static_cast<std::size_t>(block)]);
-        }
+        this->Ask(static_cast<std::int32_t>(block * Grain),
+          static_cast<std::int32_t>(std::min(count, (block + 1) * Grain)),
+          found[static_cast<std::size_t>(block)]);
       }
     });
     return Concatenated(found);
@@ -727,29 +753,67 @@ private:
     return BoxOf(this->AllSurfaces[static_cast<std::size_t>(survivor.Surface)], survivor.Triangle);
   }
 
-  /**
-   * Each pair has to be found from one side only: where both surfaces are in the tree, from the lower survivor; where
-   * one is, from the other.
-   */
-  void Ask(std::int32_t i, std::vector<std::uint64_t>& found) const
+  /** Survivors that ask together: in mesh order those that follow each other mostly lie near each other. */
+  struct Group
   {
-    const Survivor& asking = this->Survivors[static_cast<std::size_t>(i)];
-    const Role& role = this->RoleOf(asking);
-    if (!role.Asks)
+    std::array<BVH::Query, BVH::Width> Queries;
+    std::array<std::int32_t, BVH::Width> Survivors;
+    int Size = 0;
+    Box Bounds;
+    double LongestSide = 0.0;
+
+    /** Whether a box can join without making the group much larger than its members. */
+    bool Suits(const Box& box) const
     {
-      return;
-    }
-    const bool self = this->AllSurfaces[static_cast<std::size_t>(asking.Surface)].Self;
-    this->Tree.ForEachOverlap(this->BoxOfSurvivor(i), [&](std::int32_t box) {
-      const std::int32_t j = this->InTree[static_cast<std::size_t>(box)];
-      const std::int32_t surface = this->Survivors[static_cast<std::size_t>(j)].Surface;
-      if ((role.InTree && j <= i) || (surface == asking.Surface && !self))
+      if (this->Size == 0 || this->Size == BVH::Width)
       {
-        return;
+        return this->Size == 0;
       }
-      const std::uint64_t lower = static_cast<std::uint32_t>(std::min(i, j));
-      found.push_back(lower << 32 | static_cast<std::uint32_t>(std::max(i, j)));
-    });
+      Box bounds = this->Bounds;
+      Enclose(bounds, box);
+      return sb::LongestSide(bounds) <= 4.0 * std::max(this->LongestSide, sb::LongestSide(box));
+    }
+
+    void Add(const Box& box, std::int32_t firstBox, std::int32_t survivor)
+    {
+      this->Size == 0 ? void(this->Bounds = box) : Enclose(this->Bounds, box);
+      this->LongestSide = std::max(this->Size == 0 ? 0.0 : this->LongestSide, sb::LongestSide(box));
+      this->Queries[static_cast<std::size_t>(this->Size)] = { box, firstBox };
+      this->Survivors[static_cast<std::size_t>(this->Size)] = survivor;
+      ++this->Size;
+    }
+  };
+
+  /** Ask for the survivors begin..end-1. */
+  void Ask(std::int32_t begin, std::int32_t end, std::vector<std::uint64_t>& found) const
+  {
+    Group group;
+    for (std::int32_t i = begin; i < end; ++i)
+    {
+      const Role& role = this->RoleOf(this->Survivors[static_cast<std::size_t>(i)]);
+      if (role.Asks)
+      {
+        const Box box = this->BoxOfSurvivor(i);
+        if (!group.Suits(box))
+        {
+          this->Ask(group, found);
+          group.Size = 0;
+        }
+        group.Add(box, role.FirstBox(i), i);
+      }
+    }
+    this->Ask(group, found);
+  }
+
+  void Ask(const Group& group, std::vector<std::uint64_t>& found) const
+  {
+    this->Tree.ForEachOverlap(
+      group.Queries.data(), group.Size, [&](int query, std::int32_t box) {
+        const std::int32_t i = group.Survivors[static_cast<std::size_t>(query)];
+        const std::int32_t j = this->InTree[static_cast<std::size_t>(box)];
+        const std::uint64_t lower = static_cast<std::uint32_t>(std::min(i, j));
+        found.push_back(lower << 32 | static_cast<std::uint32_t>(std::max(i, j)));
+      });
   }
 
   static std::vector<std::uint64_t> Concatenated(const std::vector<std::vector<std::uint64_t>>& parts)
@@ -772,7 +836,6 @@ private:
   const std::vector<Role>& Roles;
   const std::vector<Survivor>& Survivors;
   std::vector<std::int32_t> InTree; ///< survivors, ascending
-  std::vector<Box> Boxes;
   BVH Tree;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Classification.h"
 
+#include "Hash.h"
 #include "InsideCount.h"
 #include "ProbePlacement.h"
 #include "RadialOrder.h"
@@ -104,6 +105,7 @@ public:
     this->MarkRims();
     this->RelateAcrossContacts();
     this->PlantTrees();
+    this->CheckCycles();
     this->FindWindingsAtRoots();
     if (!this->Watch.Aborted() && !this->MustStartAgain())
     {
@@ -481,10 +483,8 @@ private:
     {
       for (const Relation& relation : batch)
       {
-        if (connected.Unite(relation.PatchA, relation.PatchB))
-        {
-          this->Forest.push_back(relation);
-        }
+        (connected.Unite(relation.PatchA, relation.PatchB) ? this->Forest : this->Cycles)
+          .push_back(relation);
       }
     }
     for (const std::vector<SheetVote>& batch : votes)
@@ -616,6 +616,40 @@ private:
       if (step.Patch >= 0)
       {
         onEnter(step.Patch);
+      }
+    }
+  }
+
+  /**
+   * Relations outside the forest have to agree with it; where one does not, an operand contradicts itself. To compare
+   * whole vectors of winding numbers, each is represented by one sum of random weights.
+   */
+  void CheckCycles()
+  {
+    const auto weight = [this](std::int32_t operand)
+    { return operand < 0 || this->IsOpen(operand) ? 0 : Mix(std::uint64_t(operand) + 1); };
+    std::vector<std::uint64_t> sums(this->Patches.size(), 0);
+    std::uint64_t sum = 0;
+    for (const Step& step : this->Steps)
+    {
+      sum += weight(step.Raised) - weight(step.Lowered);
+      if (step.Patch >= 0)
+      {
+        sums[std::size_t(step.Patch)] = sum;
+      }
+    }
+    for (const Relation& relation : this->Cycles)
+    {
+      const std::int32_t a = this->Patches[std::size_t(relation.PatchA)].Operand;
+      const std::int32_t b = this->Patches[std::size_t(relation.PatchB)].Operand;
+      const std::uint64_t sideOfA =
+        sums[std::size_t(relation.PatchA)] + (relation.BehindA ? weight(a) : 0);
+      const std::uint64_t sideOfB =
+        sums[std::size_t(relation.PatchB)] + (relation.BehindB ? weight(b) : 0);
+      if (sideOfA != sideOfB)
+      {
+        this->Result.SelfIntersecting[std::size_t(a)] = 1;
+        this->Result.SelfIntersecting[std::size_t(b)] = 1;
       }
     }
   }
@@ -975,6 +1009,7 @@ private:
   std::vector<std::int32_t> PatchOfSet;
   std::vector<Patch> Patches;
   std::vector<Relation> Forest;
+  std::vector<Relation> Cycles; ///< the other relations
   std::vector<SheetVote> Votes;
   SheetSides Sides;
   std::vector<Step> Steps;

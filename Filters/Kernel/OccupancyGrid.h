@@ -89,6 +89,7 @@ public:
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       this->Shift[axis] = shift;
+      this->Field[axis] = ((1u << bits[axis]) - 1) << shift;
       this->Ones |= 1u << shift;
       this->Guards |= 1u << (shift + bits[axis]);
       shift += bits[axis] + 1;
@@ -99,12 +100,10 @@ public:
   const std::array<int, 3>& BitsAnAxis() const { return this->Bits; }
 
   /** The cell on one axis, monotone in the coordinate and clamped to first..last. */
-  std::int32_t Cell(
-    double coordinate, std::size_t axis, std::int32_t first, std::int32_t last) const
+  std::int32_t Cell(double coordinate, std::size_t axis, double first, double last) const
   {
     const double cell = (coordinate - this->Origin[axis]) * this->CellsAUnit[axis] + 1.5;
-    return static_cast<std::int32_t>(
-      std::min(std::max(cell, static_cast<double>(first)), static_cast<double>(last)));
+    return static_cast<std::int32_t>(std::min(std::max(cell, first), last));
   }
 
   /** The cells of a box inside the region. */
@@ -113,9 +112,9 @@ public:
     CellRange range;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const std::int32_t last = (1 << this->Bits[axis]) - 2;
-      range.First[axis] = this->Cell(box.Lower[axis], axis, 1, last);
-      range.Last[axis] = this->Cell(box.Upper[axis], axis, 1, last);
+      const double last = (1 << this->Bits[axis]) - 2;
+      range.First[axis] = this->Cell(box.Lower[axis], axis, 1.0, last);
+      range.Last[axis] = this->Cell(box.Upper[axis], axis, 1.0, last);
     }
     return range;
   }
@@ -130,15 +129,13 @@ public:
 
   std::int32_t CellOf(std::uint32_t code, std::size_t axis) const
   {
-    return static_cast<std::int32_t>(code >> this->Shift[axis] & ((1u << this->Bits[axis]) - 1));
+    return static_cast<std::int32_t>((code & this->Field[axis]) >> this->Shift[axis]);
   }
 
   /** The place of a cell in an array: its code without the guard bits. */
   std::size_t Index(std::uint32_t code) const
   {
-    const std::uint32_t belowY = (1u << this->Shift[1]) - 1;
-    const std::uint32_t belowZ = (1u << this->Shift[2]) - 1;
-    return (code & belowY) | (code & belowZ & ~belowY) >> 1 | (code & ~FreeBit & ~belowZ) >> 2;
+    return (code & this->Field[0]) | (code & this->Field[1]) >> 1 | (code & this->Field[2]) >> 2;
   }
 
   /**
@@ -164,7 +161,8 @@ private:
   }
 
   std::array<int, 3> Bits;
-  std::array<int, 3> Shift;
+  std::array<int, 3> Shift;           ///< where each number starts in a code
+  std::array<std::uint32_t, 3> Field; ///< and the bits it has there
   std::array<double, 3> Origin;
   std::array<double, 3> CellsAUnit;
   std::uint32_t Ones = 0;    ///< the lowest bit of each number

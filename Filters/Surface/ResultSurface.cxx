@@ -450,7 +450,7 @@ void ResultSurface::CopyTo(vtkPolyData* output, sb::Executor& executor) const
   polygons->SetData(this->Offsets, this->Connectivity);
   output->SetPoints(points);
   output->SetPolys(polygons);
-  output->GetCellData()->AddArray(this->SourceIds);
+  output->GetCellData()->SetScalars(this->SourceIds); // active: ParaView colours by it at once
   output->GetCellData()->AddArray(this->OriginalCellIds);
 }
 

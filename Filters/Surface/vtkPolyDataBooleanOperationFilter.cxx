@@ -118,6 +118,7 @@ private:
   bool AllFloat() const;
   void Fail(const Failure& failure);
   void AddFields(int status, const std::string& message);
+  bool IsUnionOfOne() const;
 
   vtkPolyDataBooleanOperationFilter* Filter;
   vtkInformationVector** Inputs;
@@ -199,6 +200,12 @@ void vtkPolyDataBooleanOperationFilter::Run::CheckSettings() const
         "; set it to 0 or a small positive length." };
   }
   const int numberOfInputs = this->Inputs[0]->GetNumberOfInformationObjects();
+  if (numberOfInputs == 0)
+  {
+    throw Failure{ badRequest,
+      "Input has no surface; set Input (in ParaView: right-click the filter in the Pipeline "
+      "Browser, Change Input)." };
+  }
   const int numberOfTools = this->Inputs[1]->GetNumberOfInformationObjects();
   const bool needsTool = operation == VTK_DIFFERENCE || operation == VTK_SYMMETRIC_DIFFERENCE ||
     (operation == VTK_INTERSECTION && numberOfInputs == 1);
@@ -448,13 +455,14 @@ vtkPolyDataBooleanOperationFilter::vtkPolyDataBooleanOperationFilter()
 vtkPolyDataBooleanOperationFilter::~vtkPolyDataBooleanOperationFilter() = default;
 
 //------------------------------------------------------------------------------
-int vtkPolyDataBooleanOperationFilter::FillInputPortInformation(int port, vtkInformation* info)
+int vtkPolyDataBooleanOperationFilter::FillInputPortInformation(int, vtkInformation* info)
 {
   // Any data object: composite ones come whole, and others get a sentence of ours instead of the
   // pipeline's.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1);
+  // Nor is Input required by the pipeline: its error would not say what to do.
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
 

@@ -76,7 +76,8 @@ public:
   {
     NOT_A_SURFACE = 20, ///< error: an input is no polygonal surface
     MISSING_TOOL = 21, ///< error: the operation needs a Tool
-    OUT_OF_MEMORY = 22 ///< error: the result does not fit into memory
+    OUT_OF_MEMORY = 22, ///< error: the result does not fit into memory
+    ONE_SURFACE = 23 ///< warning: a union of one surface, which is that surface
   };
 
   ///@{

@@ -59,7 +59,7 @@ def points_of(data):
 
 
 def triangles_of(data):
-    """The polygons as a mesh, each cut into a fan, and the polygon that each triangle comes from."""
+    """The polygons as a mesh, each cut into a fan, and the polygon of each triangle."""
     offsets, ids = cells_of(data.GetPolys())
     sizes = np.diff(offsets)
     pieces, owners = [], []
@@ -180,7 +180,7 @@ def update(tested):
     )
 
 
-# ---- VTK's own filter -------------------------------------------------------------------------------
+# ---- VTK's own filter --------------------------------------------------------------------------
 
 VTK_OPERATIONS = {UNION: 0, INTERSECTION: 1, DIFFERENCE: 2}
 
@@ -224,7 +224,7 @@ def run_vtk_filter():
     body, _ = triangles_of(peer.GetOutput())
     print(
         f"volume {measures.volume(body):.12g}, {len(body.triangles)} triangles, "
-        f"{measures.open_edges(body)} open and {measures.non_manifold_edges(body)} non-manifold edges"
+        f"{measures.open_edges(body)} open, {measures.non_manifold_edges(body)} non-manifold edges"
     )
 
 

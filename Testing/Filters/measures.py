@@ -12,11 +12,11 @@ from fractions import Fraction
 
 import numpy as np
 
-# ---- volume and area ------------------------------------------------------------------------------
+# ---- volume and area ---------------------------------------------------------------------------
 
 
 def volume(body):
-    """Signed volume. Extended precision about the box's centre: good to 1e-15 of the body's size."""
+    """Signed volume, in extended precision about the box's centre: good to 1e-15 of the body."""
     if len(body.triangles) == 0:
         return 0.0
     center = (body.points.min(axis=0) + body.points.max(axis=0)) / 2
@@ -58,14 +58,15 @@ def rounding(*bodies):
     return 2.0**-52 * largest * sum(area(body) for body in bodies)
 
 
-# ---- closedness -----------------------------------------------------------------------------------
+# ---- closedness --------------------------------------------------------------------------------
 
 
 def edge_uses(points, polygons):
     """For each edge by its coordinates: how often it is used forward, and backward.
 
     `polygons` is a list of arrays of corner ids, each of shape (number, corners). A point is its
-    coordinates: two points at one place are the same, and 0.0 is -0.0. Edges of no length are left out.
+    coordinates: two points at one place are the same, and 0.0 is -0.0. Edges of no length are left
+    out.
     """
     _, place = np.unique(points + 0.0, axis=0, return_inverse=True)
     edges = []
@@ -96,14 +97,14 @@ def is_closed(body):
     return open_edges(body) == 0
 
 
-# ---- winding numbers ------------------------------------------------------------------------------
+# ---- winding numbers ---------------------------------------------------------------------------
 
 
 def winding(body, points):
     """The winding number of a closed surface about each point: signed crossings of a ray along z.
 
-    Exact but for the rounding of 2D orientations, which are evaluated alike for both triangles of an
-    edge, so that a ray never slips through; a ray through an edge is shifted by (e, e*e) in thought.
+    Exact but for the rounding of 2D orientations, which are evaluated alike for both triangles of
+    an edge, so that no ray slips through; a ray through an edge is shifted by (e, e*e) in thought.
     """
     points = np.asarray(points, dtype=float).reshape(-1, 3)
     result = np.zeros(len(points), dtype=int)
@@ -124,7 +125,7 @@ def winding(body, points):
 
 
 def side_of_edge(a, b, p):
-    """Sign of p's side of the line a -> b in the xy plane, never zero unless a and b coincide there."""
+    """Sign of p's side of the line a -> b in the xy plane; zero only where a and b coincide."""
     swap = (a[:, 0] > b[:, 0]) | ((a[:, 0] == b[:, 0]) & (a[:, 1] > b[:, 1]))
     low, high = np.where(swap[:, None], b, a), np.where(swap[:, None], a, b)
     dx, dy = (high - low)[:, 0], (high - low)[:, 1]
@@ -152,7 +153,11 @@ def candidates(triangles, points):
         cells //= 2
     owner = np.repeat(np.arange(len(triangles)), count)
     rank = np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)
-    cell = (first[owner, 0] + rank // spans[owner, 1]) * cells + first[owner, 1] + rank % spans[owner, 1]
+    cell = (
+        (first[owner, 0] + rank // spans[owner, 1]) * cells
+        + first[owner, 1]
+        + rank % spans[owner, 1]
+    )
     order = np.argsort(cell, kind="stable")
     owner, start = owner[order], np.searchsorted(cell[order], np.arange(cells * cells + 1))
     within = np.all((points >= origin) & (points <= origin + extent), axis=1)
@@ -164,7 +169,9 @@ def candidates(triangles, points):
     for b in range(int(batch[-1]) + 1 if len(batch) else 0):
         mine = batch == b
         point = np.repeat(inside_points[mine], number[mine])
-        offset = np.arange(len(point)) - np.repeat(np.cumsum(number[mine]) - number[mine], number[mine])
+        offset = np.arange(len(point)) - np.repeat(
+            np.cumsum(number[mine]) - number[mine], number[mine]
+        )
         triangle = owner[np.repeat(start[at[mine]], number[mine]) + offset]
         p = points[point]
         hit = np.all((p >= lower[triangle]) & (p <= upper[triangle]), axis=1)
@@ -172,7 +179,7 @@ def candidates(triangles, points):
 
 
 def solid_angle_winding(body, points):
-    """The same number from solid angles (van Oosterom and Strackee 1983): slow, and fit to check."""
+    """The same number from solid angles (van Oosterom, Strackee 1983): slow, and fit to check."""
     result = np.zeros(len(points))
     for i, p in enumerate(np.asarray(points, dtype=float)):
         a, b, c = (body.points[body.triangles[:, k]] - p for k in range(3))
@@ -227,7 +234,7 @@ def probes(rng, bodies, count, step):
     return np.concatenate(points)
 
 
-# ---- the exact intersection of convex bodies --------------------------------------------------------
+# ---- the exact intersection of convex bodies ---------------------------------------------------
 
 
 class ConvexBody:
@@ -320,7 +327,7 @@ def planes(points, triangles):
 
 
 def convex_intersection_volume(*bodies):
-    """The exact volume common to bodies that are convex: the finest one clipped by all others' faces.
+    """The exact volume common to convex bodies: the finest one clipped by all others' faces.
 
     Where a body is convex but for rounding errors, the answer is that of its faces' half-spaces.
     """
@@ -346,7 +353,7 @@ def is_exactly_convex(body):
     return all(max(shell.signs(*plane)) <= 0 for plane in planes(points, body.triangles))
 
 
-# ---- box soups --------------------------------------------------------------------------------------
+# ---- box soups ---------------------------------------------------------------------------------
 
 
 def voxel_volume_and_area(inside_cells):
@@ -354,5 +361,3 @@ def voxel_volume_and_area(inside_cells):
     padded = np.pad(inside_cells, 1)
     walls = sum(int(np.count_nonzero(np.diff(padded.astype(np.int8), axis=k))) for k in range(3))
     return int(np.count_nonzero(inside_cells)), walls
-
-

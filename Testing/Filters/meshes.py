@@ -34,7 +34,7 @@ def mesh(points, triangles):
 EMPTY = mesh([], [])
 
 
-# ---- putting meshes together and in place -----------------------------------------------------
+# ---- putting meshes together and in place ------------------------------------------------------
 
 
 def joined(*parts):
@@ -105,7 +105,7 @@ def random_rotation(rng):
     )
 
 
-# ---- shapes -------------------------------------------------------------------------------------
+# ---- shapes ------------------------------------------------------------------------------------
 
 BOX_QUADS = np.array(
     [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]]
@@ -115,12 +115,16 @@ BOX_QUADS = np.array(
 def box_corners(lower, upper):
     """Corner i has its bits as x, y, z: bit 0 set is the upper x, and so on."""
     bounds = np.array([lower, upper], dtype=float)
-    return np.array([[bounds[i & 1, 0], bounds[i >> 1 & 1, 1], bounds[i >> 2, 2]] for i in range(8)])
+    return np.array(
+        [[bounds[i & 1, 0], bounds[i >> 1 & 1, 1], bounds[i >> 2, 2]] for i in range(8)]
+    )
 
 
 def box(lower, upper):
     quads = BOX_QUADS
-    return mesh(box_corners(lower, upper), np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]))
+    return mesh(
+        box_corners(lower, upper), np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+    )
 
 
 def cube(edge=1.0, center=(0.0, 0.0, 0.0)):
@@ -217,12 +221,16 @@ def sheet(height, xs, ys):
 def icosphere(level, radius=1.0):
     """An icosahedron, each triangle split into four `level` times, the points pushed outwards."""
     golden = (1 + 5**0.5) / 2
-    points = [p for a in (-1, 1) for b in (-golden, golden) for p in ((0, a, b), (a, b, 0), (b, 0, a))]
+    points = [
+        p for a in (-1, 1) for b in (-golden, golden) for p in ((0, a, b), (a, b, 0), (b, 0, a))
+    ]
     body = convex_hull(np.array(points, dtype=float))
     for _ in range(level):
         body = split_in_four(body)
         body = mesh(body.points / np.linalg.norm(body.points, axis=1)[:, None], body.triangles)
-    return scaled(mesh(body.points / np.linalg.norm(body.points, axis=1)[:, None], body.triangles), radius)
+    return scaled(
+        mesh(body.points / np.linalg.norm(body.points, axis=1)[:, None], body.triangles), radius
+    )
 
 
 def split_in_four(body):
@@ -230,7 +238,7 @@ def split_in_four(body):
     edges = np.sort(np.concatenate([t[:, [0, 1]], t[:, [1, 2]], t[:, [2, 0]]]), axis=1)
     unique, number = np.unique(edges, axis=0, return_inverse=True)
     middle = body.points[unique].mean(axis=1)
-    a, b, c = (len(body.points) + number.reshape(3, -1))
+    a, b, c = len(body.points) + number.reshape(3, -1)
     triangles = np.concatenate(
         [
             np.stack([t[:, 0], a, c], axis=1),
@@ -242,7 +250,7 @@ def split_in_four(body):
     return mesh(np.concatenate([body.points, middle]), triangles)
 
 
-# ---- random bodies ------------------------------------------------------------------------------
+# ---- random bodies -----------------------------------------------------------------------------
 
 
 def bumpy_sphere(rng, level=3, radius=1.0, height=0.2, bumps=8):
@@ -266,8 +274,14 @@ def convex_hull(points):
         wx, wy, wz = p[0] - a[0], p[1] - a[1], p[2] - a[2]
         return wx * (uy * vz - uz * vy) + wy * (uz * vx - ux * vz) + wz * (ux * vy - uy * vx)
 
-    first = next(s for s in itertools.combinations(range(len(values)), 4) if above(s[:3], values[s[3]]))
-    a, b, c, d = first if above(first[:3], values[first[3]]) < 0 else (first[0], first[2], first[1], first[3])
+    first = next(
+        s for s in itertools.combinations(range(len(values)), 4) if above(s[:3], values[s[3]])
+    )
+    a, b, c, d = (
+        first
+        if above(first[:3], values[first[3]]) < 0
+        else (first[0], first[2], first[1], first[3])
+    )
     faces = [(a, b, c), (a, c, d), (a, d, b), (b, d, c)]
     for i in range(len(values)):
         if i in first:
@@ -282,7 +296,7 @@ def convex_hull(points):
 
 
 def random_convex_body(rng, corners=16, bits=20):
-    """The hull of random points on an ellipsoid, on the lattice of step 2**-bits: exactly convex."""
+    """The hull of random points on an ellipsoid, on a lattice of step 2**-bits: exactly convex."""
     directions = rng.normal(size=(corners, 3))
     directions /= np.linalg.norm(directions, axis=1)[:, None]
     points = directions * rng.uniform(0.4, 1.0, 3) + rng.uniform(-0.5, 0.5, 3)
@@ -291,7 +305,7 @@ def random_convex_body(rng, corners=16, bits=20):
 
 
 def random_grid_body(rng, grid=4, bodies=1):
-    """Closed bodies with few corners on a small grid, on top of each other: hardly a place is generic."""
+    """Closed bodies of few corners on a small grid, on top of each other: no place is generic."""
     parts = []
     while len(parts) < bodies:
         corners = np.unique(rng.integers(0, grid + 1, (rng.integers(4, 9), 3)), axis=0)
@@ -302,7 +316,7 @@ def random_grid_body(rng, grid=4, bodies=1):
 
 
 def flip_all_reflex(points, triangles, exact):
-    """Turn the diagonals of nearly flat quads until no edge is reflex; `exact` holds integer points.
+    """Turn diagonals of nearly flat quads until no edge is reflex; `exact` holds integer points.
 
     A globe whose points were rounded to a lattice is convex but for these diagonals.
     """
@@ -337,10 +351,14 @@ def orientation(corners):
     )
 
 
-def lattice_sphere(radius=0.5, center=(0.0, 0.0, 0.0), around=16, along=16, bits=20, first_angle=0.0):
+def lattice_sphere(
+    radius=0.5, center=(0.0, 0.0, 0.0), around=16, along=16, bits=20, first_angle=0.0
+):
     """A globe that is convex without any rounding error: an exact reference can cut it."""
     ball = on_lattice(sphere(radius, center, around, along, first_angle), bits)
-    exact = [[int(c) for c in p] for p in np.asarray(np.round(ball.points * 2.0**bits), dtype=object)]
+    exact = [
+        [int(c) for c in p] for p in np.asarray(np.round(ball.points * 2.0**bits), dtype=object)
+    ]
     return flip_all_reflex(ball.points, ball.triangles, exact)
 
 
@@ -365,7 +383,7 @@ def voxels(boxes, size):
     return covered
 
 
-# ---- the pairs of the paper's Figure 5 ------------------------------------------------------------
+# ---- the pairs of the paper's Figure 5 ---------------------------------------------------------
 
 
 def figure_5_pairs(fine=1):
@@ -382,7 +400,10 @@ def figure_5_pairs(fine=1):
     bar = on_lattice(cylinder(0.25, 1.25, around=n), 20)
     lying = mesh(bar.points[:, [2, 0, 1]] + [0.0, 0.0, -0.1875], bar.triangles)
     return {
-        "box-box": (box((-0.5,) * 3, (0.5,) * 3), box((-0.1875, -0.25, -0.125), (0.75, 0.6875, 0.8125))),
+        "box-box": (
+            box((-0.5,) * 3, (0.5,) * 3),
+            box((-0.1875, -0.25, -0.125), (0.75, 0.6875, 0.8125)),
+        ),
         "cylinder-cylinder": (upright, moved(upright, (0.375, 0.1875, 0.0))),
         "sphere-sphere": (ball, third),
         "sphere-box": (ball, box((0.0, -0.3125, -0.25), (0.75, 0.4375, 0.5))),
@@ -390,7 +411,7 @@ def figure_5_pairs(fine=1):
     }
 
 
-# ---- real meshes ----------------------------------------------------------------------------------
+# ---- real meshes -------------------------------------------------------------------------------
 
 
 def cgal_directory():

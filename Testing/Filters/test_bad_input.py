@@ -7,7 +7,12 @@ import re
 import numpy as np
 import pytest
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray,
+    vtkImageData,
+    vtkMultiBlockDataSet,
+    vtkPolyData,
+)
 
 import measures
 import meshes
@@ -58,7 +63,7 @@ def assert_warned(result, status, *parts):
     assert_one_plain_sentence(result.message, *parts)
 
 
-# ---- refused ---------------------------------------------------------------------------------------
+# ---- refused -----------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
@@ -138,7 +143,7 @@ def test_an_operation_that_does_not_exist_is_refused():
     assert_refused(boolean([cube(1.0)], [TOOL], UNION, Operation=7), BAD_REQUEST, "Operation is 7")
 
 
-# ---- accepted with a warning ------------------------------------------------------------------------
+# ---- accepted with a warning -------------------------------------------------------------------
 
 
 def test_an_empty_operand_counts_as_the_empty_set():
@@ -179,7 +184,7 @@ def test_an_operand_turned_inside_out_is_turned_over():
     assert result.volume == 1.875
 
 
-# ---- accepted without a word --------------------------------------------------------------------------
+# ---- accepted without a word -------------------------------------------------------------------
 
 
 def with_triangles(body, more):
@@ -187,7 +192,7 @@ def with_triangles(body, more):
 
 
 def with_a_filled_t_junction():
-    """A closed cube one of whose edges is split on one side; a triangle without area fills the gap."""
+    """A closed cube with an edge split on one side only; a triangle without area fills the gap."""
     body = cube(1.0)
     a, b, c = body.triangles[0]
     points = np.vstack([body.points, (body.points[a] + body.points[b]) / 2])
@@ -199,12 +204,15 @@ UNTIDY = {
     "a cell without area": with_a_filled_t_junction(),
     "each cell twice": with_triangles(cube(1.0), cube(1.0).triangles),
     "a wall seen from both sides": meshes.joined(
-        cube(1.0), meshes.mesh([[0, -0.5, -0.5], [0, 0.5, -0.5], [0, 0, 0.5]], [[0, 1, 2], [2, 1, 0]])
+        cube(1.0),
+        meshes.mesh([[0, -0.5, -0.5], [0, 0.5, -0.5], [0, 0, 0.5]], [[0, 1, 2], [2, 1, 0]]),
     ),
     "no two cells share a point": meshes.mesh(
         cube(1.0).points[cube(1.0).triangles].reshape(-1, 3), np.arange(36)
     ),
-    "points that no cell uses": meshes.mesh(np.vstack([cube(1.0).points, [[9, 9, 9]] * 5]), cube().triangles),
+    "points that no cell uses": meshes.mesh(
+        np.vstack([cube(1.0).points, [[9, 9, 9]] * 5]), cube().triangles
+    ),
 }
 
 
@@ -248,7 +256,7 @@ def test_lines_points_and_cells_of_two_corners_are_passed_over():
 
 @pytest.mark.parametrize("exponent", [-300, -150, -30, 30, 150, 300])
 def test_huge_and_tiny_coordinates_give_the_same_surface(exponent):
-    factor = 2.0**exponent if abs(exponent) < 100 else 10.0**exponent
+    factor = 2.0 ** exponent if abs(exponent) < 100 else 10.0**exponent
     for operation, volume in ((UNION, 1.875), (INTERSECTION, 0.125), (DIFFERENCE, 0.875)):
         operands = [meshes.scaled(body, factor) for body in (cube(1.0), TOOL)]
         result = boolean(operands[:1], operands[1:], operation)
@@ -306,7 +314,7 @@ def test_arrays_of_the_wrong_length_are_left_out_with_a_word(length):
     assert len(result.warnings) == 2
 
 
-# ---- stopping, and going on -----------------------------------------------------------------------------
+# ---- stopping, and going on --------------------------------------------------------------------
 
 
 def test_stopping_the_filter_leaves_nothing_and_it_can_run_again():

@@ -47,7 +47,9 @@ def exact_intersection(*bodies):
 def rows():
     ball = sphere(0.5, around=30, along=30)
     v = measures.volume(ball)
-    yield "1 same, intersection", Row("pyvista#4796: identical shapes freeze", ball, ball, INTERSECTION, v)
+    yield "1 same, intersection", Row(
+        "pyvista#4796: identical shapes freeze", ball, ball, INTERSECTION, v
+    )
     yield "1 same, union", Row("pyvista#4796", ball, ball, UNION, v, ask_vtk=False)
     yield "1 same, difference", Row("pyvista#4796", ball, ball, DIFFERENCE, 0.0, ask_vtk=False)
     yield "1 same, symmetric", Row("pyvista#4796", ball, ball, SYMMETRIC_DIFFERENCE, 0.0)
@@ -70,7 +72,9 @@ def rows():
 
     case, void = cube(20.0), sphere(2.0)
     v = measures.volume(void)
-    yield "7 void", Row("pyvista-support#447, pyvista#3290: nested", case, void, DIFFERENCE, 8000 - v)
+    yield "7 void", Row(
+        "pyvista-support#447, pyvista#3290: nested", case, void, DIFFERENCE, 8000 - v
+    )
     yield "7 nested union", Row("pyvista#3290", case, void, UNION, 8000.0)
     yield "7 nested intersection", Row("vedo#623", case, void, INTERSECTION, v)
     yield "7 nothing left", Row("pyvista#3290", void, case, DIFFERENCE, 0.0)
@@ -90,7 +94,9 @@ def rows():
 
     tiny = meshes.scaled(cube(1.0), 1e-6)
     beside_it = meshes.moved(tiny, (5e-7, 5e-7, 5e-7))
-    volume = measures.volume(tiny) + measures.volume(beside_it) - exact_intersection(tiny, beside_it)
+    volume = (
+        measures.volume(tiny) + measures.volume(beside_it) - exact_intersection(tiny, beside_it)
+    )
     yield "11 micrometres", Row("absolute tolerances", tiny, beside_it, UNION, volume)
 
     west = sphere(500.0, (684263.75, 5613583.0, 600.0), 24, 24)
@@ -106,7 +112,9 @@ def rows():
         box((0, 0, 0), (1, 1, 1)).triangles,
     )
     volume = exact_intersection(crate, sheared)
-    yield "15 sheared box", Row("pyvista#4059: not watertight", crate, sheared, INTERSECTION, volume)
+    yield "15 sheared box", Row(
+        "pyvista#4059: not watertight", crate, sheared, INTERSECTION, volume
+    )
 
     ring = meshes.on_lattice(meshes.torus(1.0, 0.4, 48, 24), 20)
     shifted = meshes.moved(ring, (0.5, 0.0, 0.0))
@@ -158,7 +166,11 @@ def test_the_answer_is_closed_and_has_the_known_volume(name, beside):
     beside(
         f"row {name}, {row.operation}: volume {expected:.12g} ({row.complaint})",
         f"off by {error:.1g} of the operands, {measures.open_edges(result.body)} open edges",
-        answer_of_vtk(row.first, row.second, row.operation) if row.ask_vtk else "not asked, it takes too long",
+        (
+            answer_of_vtk(row.first, row.second, row.operation)
+            if row.ask_vtk
+            else "not asked, it takes too long"
+        ),
     )
     assert not result.errors
     assert measures.open_edges(result.body) == 0
@@ -252,10 +264,22 @@ def test_row_16_a_tube_against_a_triangle_does_not_depend_on_its_sides(sides):
 
 def test_row_16_two_rectangles_at_large_coordinates_cross_in_a_line():
     """vedo#696, #740: a crash at coordinates of 1.7e4."""
-    one = [[17903.93947473, 11418.12995419, 2572.68075251], [17889.4353166, 11423.09300945, 2546.89320749]]
-    one += [[17913.6520434, 11446.51421055, 2572.68075251], [17899.14788527, 11451.47726581, 2546.89320749]]
-    two = [[17897.68174692, 11454.30365475, 2573.22453367], [17917.8546173, 11442.45883457, 2554.44274633]]
-    two += [[17882.4917027, 11428.43354543, 2573.22453367], [17902.66457308, 11416.58872525, 2554.44274633]]
+    one = [
+        [17903.93947473, 11418.12995419, 2572.68075251],
+        [17889.4353166, 11423.09300945, 2546.89320749],
+    ]
+    one += [
+        [17913.6520434, 11446.51421055, 2572.68075251],
+        [17899.14788527, 11451.47726581, 2546.89320749],
+    ]
+    two = [
+        [17897.68174692, 11454.30365475, 2573.22453367],
+        [17917.8546173, 11442.45883457, 2554.44274633],
+    ]
+    two += [
+        [17882.4917027, 11428.43354543, 2573.22453367],
+        [17902.66457308, 11416.58872525, 2554.44274633],
+    ]
     faces = [[0, 1, 2], [3, 2, 1]]
     result = boolean([meshes.mesh(one, faces)], [meshes.mesh(two, faces)], INTERSECTION)
     points = points_of(result.curves)
@@ -312,7 +336,9 @@ def test_row_24_a_small_cut_leaves_the_rest_of_a_large_mesh_alone():
     kept = result.cell_data["SourceId"] == 0
     cells, uses = np.unique(result.cell_data["OriginalCellId"][kept], return_counts=True)
     corners = body.points[body.triangles]
-    near = np.all((corners.min(1) <= tool.points.max(0)) & (corners.max(1) >= tool.points.min(0)), axis=1)
+    near = np.all(
+        (corners.min(1) <= tool.points.max(0)) & (corners.max(1) >= tool.points.min(0)), axis=1
+    )
     whole = np.flatnonzero(~near)
     assert np.isin(whole, cells).all() and (uses[np.isin(cells, whole)] == 1).all()
 
@@ -363,7 +389,9 @@ def test_row_26_a_surface_is_cut_where_the_other_crosses_it_not_near_by():
     track = np.array([[684263.75, 5613583.0], [684543.38, 5613355.0], [685263.19, 5612925.0]])
     track = np.vstack([track, [[686216.06, 5612578.5], [687086.0, 5612397.0]]])
     points = [(x, y, z) for z in (0.0, 1200.0) for x, y in track]
-    wall = meshes.mesh(points, [t for k in range(4) for t in ((k, k + 1, k + 6), (k, k + 6, k + 5))])
+    wall = meshes.mesh(
+        points, [t for k in range(4) for t in ((k, k + 1, k + 6), (k, k + 6, k + 5))]
+    )
     dip = meshes.mesh(
         [(684000.0, 5611000.0, 1100.0), (688000.0, 5611000.0, 900.0), (688000.0, 5615000.0, 100.0)]
         + [(684000.0, 5615000.0, 300.0)],
@@ -382,7 +410,9 @@ def test_row_26_a_surface_is_cut_where_the_other_crosses_it_not_near_by():
 
 def test_row_27_three_meshes_are_united_in_one_call():
     """vedo#454: a union of three."""
-    balls = [meshes.lattice_sphere(0.5, (x, y, 0.0), 16, 9) for x, y in ((0, 0), (0.5, 0), (0.25, 0.5))]
+    balls = [
+        meshes.lattice_sphere(0.5, (x, y, 0.0), 16, 9) for x, y in ((0, 0), (0.5, 0), (0.25, 0.5))
+    ]
     a, b, c = balls
     expected = union_of_three(a, b, c)
     for inputs, tools in ((balls, []), ([a], [b, c]), ([c, a], [b])):
@@ -427,7 +457,9 @@ def test_row_30_solids_with_a_common_face_subtract_without_left_over_triangles(s
 def test_row_31_twelve_unions_one_after_the_other_agree_with_one_call():
     """InteractiveAndRobustMeshBooleans#26: rounding breaks the next Boolean."""
     rng = np.random.default_rng(31)
-    bodies = [meshes.moved(meshes.random_convex_body(rng), rng.uniform(-0.7, 0.7, 3)) for _ in range(12)]
+    bodies = [
+        meshes.moved(meshes.random_convex_body(rng), rng.uniform(-0.7, 0.7, 3)) for _ in range(12)
+    ]
     chain = bodies[0]
     for body in bodies[1:]:
         result = boolean([chain], [body], UNION)

@@ -3,11 +3,11 @@
 """What must hold of any two closed bodies, over two hundred random pairs.
 
 Closed in, closed out. vol(A|B) + vol(A&B) = vol(A) + vol(B), vol(A-B) = vol(A) - vol(A&B). The same
-bytes for one thread and two. Nothing depends on the order of operands, cells or corners, nor on place
-or unit. Where an exact answer is known (convex bodies, boxes on a grid), it is asked for as well.
+bytes for one thread and two. Nothing depends on the order of operands, cells or corners, nor on
+place or unit. Where an exact answer is known (convex bodies, boxes on a grid), it is asked for too.
 
-A soup of boxes overlaps itself, and only Resolve promises to take all of its inner walls away; what the
-other operations promise is the set of points enclosed at least once, so for soups that set is measured.
+A soup of boxes overlaps itself, and only Resolve promises to take all of its inner walls away; the
+other operations promise the set of points enclosed at least once, so for soups it is measured.
 """
 
 import functools
@@ -32,7 +32,7 @@ CONVEX_PAIRS, SOUP_PAIRS, TURNED_PAIRS, BUMPY_PAIRS = range(70), range(70), rang
 GRID = 6  # edge of the cube that box soups live in
 
 
-# ---- the pairs ------------------------------------------------------------------------------------
+# ---- the pairs ---------------------------------------------------------------------------------
 
 
 def convex_pair(seed):
@@ -51,18 +51,20 @@ def soup_pair(seed):
     return tuple(meshes.box_soup(boxes) for boxes in soup_boxes(seed))
 
 
-TURNS = {  # name: angles of 90 degrees and others, and some so small that everything is nearly coplanar
-    "none": 0.0,
-    "1e-15": 1e-15,
-    "1e-12": 1e-12,
-    "1e-8": 1e-8,
-    "1e-4": 1e-4,
-    "0.1": 0.1,
-    "a facet": 2 * np.pi / 16,
-    "half a facet": np.pi / 16,
-    "a quarter": np.pi / 2,
-    "a half": np.pi,
-}
+TURNS = (
+    {  # name: angles of 90 degrees and others, and some so small that everything is nearly coplanar
+        "none": 0.0,
+        "1e-15": 1e-15,
+        "1e-12": 1e-12,
+        "1e-8": 1e-8,
+        "1e-4": 1e-4,
+        "0.1": 0.1,
+        "a facet": 2 * np.pi / 16,
+        "half a facet": np.pi / 16,
+        "a quarter": np.pi / 2,
+        "a half": np.pi,
+    }
+)
 SHAPES_TO_TURN = {
     "cube": meshes.cube(1.0),
     "cylinder": meshes.cylinder(0.5, 1.0, around=16),
@@ -84,7 +86,9 @@ def bumpy_pair(seed):
     rng = np.random.default_rng([4, seed])
     first, second = meshes.bumpy_sphere(rng), meshes.bumpy_sphere(rng)
     second = meshes.turned(second, meshes.random_rotation(rng))
-    return tuple(meshes.on_lattice(b, 30) for b in (first, meshes.moved(second, rng.uniform(-0.5, 0.5, 3))))
+    return tuple(
+        meshes.on_lattice(b, 30) for b in (first, meshes.moved(second, rng.uniform(-0.5, 0.5, 3)))
+    )
 
 
 def touching_pairs():
@@ -92,7 +96,9 @@ def touching_pairs():
     even, odd = 12, 6
     globe = meshes.lattice_sphere(0.5, around=even, along=7)  # a pole on z, a corner on x
     tall = meshes.lattice_sphere(0.5, around=even, along=odd)  # an edge on x, between two parallels
-    flat = meshes.lattice_sphere(0.5, around=even, along=odd, first_angle=np.pi / even)  # a face on x
+    flat = meshes.lattice_sphere(
+        0.5, around=even, along=odd, first_angle=np.pi / even
+    )  # a face on x
     bodies = {"corner": globe, "edge": tall, "face": flat}
     for one, other in itertools.product(bodies, bodies):
         left, right = bodies[one], bodies[other]
@@ -135,7 +141,7 @@ CENTERS = np.stack(np.meshgrid(*[np.arange(GRID) + 0.5] * 3, indexing="ij"), axi
 def enclosed(name, body):
     """The volume of the points that a closed surface encloses at least once.
 
-    For a soup the unit cells whose centres are inside are counted, by the tests' own winding number.
+    For a soup the unit cells whose centres are inside count, by the tests' own winding number.
     """
     if name.startswith("boxes"):
         return int(np.count_nonzero(measures.inside(body, CENTERS)))
@@ -150,7 +156,7 @@ def test_there_are_at_least_two_hundred_pairs():
     assert len(PAIRS) + 20 >= 200  # and twenty of real meshes, in test_real_meshes.py
 
 
-# ---- the identities -------------------------------------------------------------------------------
+# ---- the identities ----------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", PAIRS)
@@ -281,7 +287,7 @@ OVERLAPPING = {  # what a group of operands may be made of, beside clean bodies
 }
 
 
-@pytest.mark.parametrize("seed", range(40))
+@pytest.mark.parametrize("seed", range(32))
 @pytest.mark.parametrize("kind", OVERLAPPING)
 def test_bodies_on_a_tiny_grid_enclose_what_their_winding_numbers_say(kind, seed):
     """Several operands on either port, that overlap themselves and have parts turned inside out."""
@@ -299,7 +305,7 @@ def test_bodies_on_a_tiny_grid_enclose_what_their_winding_numbers_say(kind, seed
         assert np.array_equal(measures.inside(result.body, points), expected), operation
 
 
-# ---- invariance -----------------------------------------------------------------------------------
+# ---- invariance --------------------------------------------------------------------------------
 
 
 def moves_exactly(name):

@@ -67,7 +67,9 @@ def test_closedness_sees_a_missing_a_turned_and_a_doubled_triangle():
     turned = body.triangles.copy()
     turned[7] = turned[7][::-1]
     assert open_edges(meshes.mesh(body.points, turned)) == 3
-    assert open_edges(meshes.mesh(body.points, np.vstack([body.triangles, body.triangles[:1]]))) == 3
+    assert (
+        open_edges(meshes.mesh(body.points, np.vstack([body.triangles, body.triangles[:1]]))) == 3
+    )
 
 
 def test_closedness_goes_by_coordinates_not_by_ids():
@@ -96,7 +98,9 @@ def test_a_t_junction_is_an_open_edge():
 def test_two_methods_find_the_same_winding_numbers(seed):
     rng = np.random.default_rng(seed)
     blob = meshes.bumpy_sphere(rng, level=2)
-    pile = meshes.joined(blob, meshes.moved(blob, (0.3, 0.2, 0.1)), meshes.inside_out(meshes.cube(0.5)))
+    pile = meshes.joined(
+        blob, meshes.moved(blob, (0.3, 0.2, 0.1)), meshes.inside_out(meshes.cube(0.5))
+    )
     points = rng.uniform(-1.5, 1.5, (400, 3))
     counted = winding(pile, points)
     assert np.abs(counted - solid_angle_winding(pile, points)).max() < 1e-9
@@ -105,7 +109,9 @@ def test_two_methods_find_the_same_winding_numbers(seed):
 
 def test_a_ray_through_edges_and_corners_is_counted_once():
     stacked = meshes.box_soup([((0, 0, 0), (2, 2, 2)), ((1, 1, 1), (3, 3, 3))])
-    grid = np.stack(np.meshgrid(*[[-0.5, 0.5, 1.5, 2.5]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+    grid = np.stack(np.meshgrid(*[[-0.5, 0.5, 1.5, 2.5]] * 3, indexing="ij"), axis=-1).reshape(
+        -1, 3
+    )
     expected = np.all((grid > 0) & (grid < 2), axis=1).astype(int)
     expected += np.all((grid > 1) & (grid < 3), axis=1)
     assert np.array_equal(winding(stacked, grid), expected)  # 0.5 0.5 lies on a diagonal
@@ -127,7 +133,9 @@ def test_inside_follows_the_definition_of_each_operation():
 
 def test_the_exact_convex_reference_agrees_with_analytic_answers():
     a = meshes.box((0, 0, 0), (1, 1, 1))
-    assert convex_intersection_volume(a, meshes.box((0.25, 0.5, -1), (2, 2, 0.75))) == Fraction(9, 32)
+    assert convex_intersection_volume(a, meshes.box((0.25, 0.5, -1), (2, 2, 0.75))) == Fraction(
+        9, 32
+    )
     assert convex_intersection_volume(a, a) == 1
     assert convex_intersection_volume(a, meshes.box((1, 0, 0), (2, 1, 1))) == 0
     octahedron = meshes.sphere(1.0, around=4, along=3)
@@ -145,7 +153,9 @@ def test_the_exact_convex_reference_is_symmetric(seed):
 
 
 def test_voxels_measure_a_soup_of_boxes():
-    boxes = [(np.array(l), np.array(u)) for l, u in [((0, 0, 0), (2, 2, 2)), ((1, 1, 1), (3, 3, 3))]]
+    boxes = [
+        (np.array(l), np.array(u)) for l, u in [((0, 0, 0), (2, 2, 2)), ((1, 1, 1), (3, 3, 3))]
+    ]
     assert voxel_volume_and_area(meshes.voxels(boxes, 4) >= 1) == (15, 42)
 
 

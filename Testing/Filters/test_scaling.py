@@ -77,7 +77,9 @@ def test_cutting_does_not_spoil_the_top_of_the_plate():
     equator = 16 / 2 * np.sin(2 * np.pi / 16) * 0.4**2
     side = plate.points[:, 0].max() + 1
     area = measures.area(meshes.mesh(result.body.points, result.body.triangles[top]))
-    assert area == pytest.approx(side**2 - 1000 * equator, rel=1e-6)  # the lattice moves the equator
+    assert area == pytest.approx(
+        side**2 - 1000 * equator, rel=1e-6
+    )  # the lattice moves the equator
 
 
 def overlapping_balls(count):
@@ -120,11 +122,10 @@ def test_many_inputs_against_many_tools():
 
 
 def test_more_than_sixty_four_operands_common_to_all():
-    """No bit mask of operands: sixty-eight nested boxes and two that cross them all have a small box in common."""
+    """No bit mask of operands: sixty-eight nested boxes, and two across them all."""
     boxes = [meshes.box((-1 - k / 256,) * 3, (1 + k / 256,) * 3) for k in range(68)]
     boxes += [meshes.box((-0.5, -3, -3), (3, 3, 3)), meshes.box((-3, -3, -3), (0.25, 3, 0.5))]
     result = boolean(boxes, [], INTERSECTION)
     assert result.status == 0 and measures.open_edges(result.body) == 0
     assert result.volume == pytest.approx(0.75 * 2 * 1.5, rel=1e-14)
     assert result.area == pytest.approx(2 * (0.75 * 2 + 2 * 1.5 + 0.75 * 1.5), rel=1e-14)
-

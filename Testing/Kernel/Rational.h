@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Rational.h
- * @brief Points with rational coordinates, and where they lie on triangles: by definition, not by the kernel's predicates.
+ * @brief Points with rational coordinates, and where they lie on triangles: by definition, not by
+ * the kernel's predicates.
  */
 #ifndef sb_Rational_h
 #define sb_Rational_h
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized" // inside of boost, where it is not so
+#endif
 
 #include "Contacts.h"
 #include "ExactPoint.h"
@@ -54,10 +59,7 @@ inline Number Dot(const Point& a, const Point& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-inline Point Normal(const Triangle& t)
-{
-  return Cross(t[1] - t[0], t[2] - t[0]);
-}
+inline Point Normal(const Triangle& t) { return Cross(t[1] - t[0], t[2] - t[0]); }
 
 /** Where along ab, from 0 at a, the function with these values at the ends is zero. */
 inline Point Between(const Point& a, const Point& b, const Number& atA, const Number& atB)
@@ -113,13 +115,13 @@ inline void Unify(std::vector<Point>& points)
   points.erase(std::unique(points.begin(), points.end()), points.end());
 }
 
-/** The corners of the set that two triangles (with area) have in common: none, a point, a segment's ends, a polygon. */
+/** The corners of the set that two triangles (with area) have in common: none, a point, a segment's
+ * ends, a polygon. */
 inline std::vector<Point> Intersection(const Triangle& a, const Triangle& b)
 {
   // A convex polygon, or a segment or point, cut down by the half-spaces that make up b.
   std::vector<Point> kept(a.begin(), a.end());
-  const auto cut = [&](auto&& height)
-  {
+  const auto cut = [&](auto&& height) {
     std::vector<Point> next;
     for (std::size_t i = 0; i < kept.size(); ++i)
     {
@@ -155,8 +157,7 @@ inline std::vector<Point> Intersection(const Triangle& a, const Triangle& b)
     {
       for (const Point& r : kept)
       {
-        between = between ||
-          (Cross(q - p, r - p) == Point{ 0, 0, 0 } && Dot(q - p, r - p) < 0);
+        between = between || (Cross(q - p, r - p) == Point{ 0, 0, 0 } && Dot(q - p, r - p) < 0);
       }
     }
     if (!between)

@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Shapes.h
- * @brief Surfaces to feed the kernel with, and measures of what it gives back that share no code with it.
+ * @brief Surfaces to feed the kernel with, and measures of what it gives back that share no code
+ * with it.
  */
 #ifndef sb_Shapes_h
 #define sb_Shapes_h
 
+#include "Arrangement.h"
 #include "Boolean.h"
+#include "BroadPhase.h"
+#include "CollapsedFaces.h"
+#include "Contacts.h"
 #include "Ingest.h"
 #include "Scene.h"
 
@@ -52,12 +57,10 @@ inline double Dot(const Point& a, const Point& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-inline double Length(const Point& a)
-{
-  return std::sqrt(Dot(a, a));
-}
+inline double Length(const Point& a) { return std::sqrt(Dot(a, a)); }
 
-// --- surfaces -------------------------------------------------------------------------------------------------------
+// --- surfaces
+// -------------------------------------------------------------------------------------------------------
 
 struct Mesh
 {
@@ -90,7 +93,10 @@ struct Mesh
   void AddTriangle(const Point& a, const Point& b, const Point& c)
   {
     const auto first = static_cast<std::int32_t>(this->Points.size());
-    this->Points.insert(this->Points.end(), { a, b, c });
+    for (const Point* p : { &a, &b, &c })
+    {
+      this->Points.push_back(*p);
+    }
     this->Triangles.push_back({ first, first + 1, first + 2 });
   }
 
@@ -148,10 +154,7 @@ inline Mesh Box(const Point& low, const Point& high)
   return mesh;
 }
 
-inline Mesh Cube(double low, double high)
-{
-  return Box({ low, low, low }, { high, high, high });
-}
+inline Mesh Cube(double low, double high) { return Box({ low, low, low }, { high, high, high }); }
 
 /** The convex hull of integer points, its coplanar parts fanned; empty if they lie in one plane. */
 inline Mesh ConvexHull(std::vector<Point> points)
@@ -186,7 +189,8 @@ inline Mesh ConvexHull(std::vector<Point> points)
         {
           continue;
         }
-        // Walk around the facet: the next corner has all others on its left, and is the farthest of those in line.
+        // Walk around the facet: the next corner has all others on its left, and is the farthest of
+        // those in line.
         std::vector<std::size_t> ring{ *std::min_element(facet.begin(), facet.end()) };
         do
         {
@@ -222,8 +226,7 @@ inline Mesh Sphere(const Point& centre, double radius, int divisions)
 {
   Mesh mesh;
   std::map<std::array<int, 3>, std::int32_t> known;
-  const auto at = [&](const std::array<int, 3>& place)
-  {
+  const auto at = [&](const std::array<int, 3>& place) {
     const auto [it, isNew] = known.emplace(place, static_cast<std::int32_t>(mesh.Points.size()));
     if (isNew)
     {
@@ -238,13 +241,13 @@ inline Mesh Sphere(const Point& centre, double radius, int divisions)
     const int y = octant & 2 ? -1 : 1;
     const int z = octant & 4 ? -1 : 1;
     const auto add = [&](const std::array<int, 3>& a, const std::array<int, 3>& b,
-                       const std::array<int, 3>& c)
-    {
-      x * y * z > 0 ? mesh.Triangles.push_back({ at(a), at(b), at(c) })
-                    : mesh.Triangles.push_back({ at(a), at(c), at(b) });
+                       const std::array<int, 3>& c) {
+      x* y* z > 0 ? mesh.Triangles.push_back({ at(a), at(b), at(c) })
+                  : mesh.Triangles.push_back({ at(a), at(c), at(b) });
     };
-    const auto corner = [&](int i, int j)
-    { return std::array<int, 3>{ x * (divisions - i - j), y * i, z * j }; };
+    const auto corner = [&](int i, int j) {
+      return std::array<int, 3>{ x * (divisions - i - j), y * i, z * j };
+    };
     for (int i = 0; i < divisions; ++i)
     {
       for (int j = 0; i + j < divisions; ++j)
@@ -286,7 +289,8 @@ inline Mesh Tube(double radius, double low, double high, int sides)
   return mesh;
 }
 
-// --- random surfaces ------------------------------------------------------------------------------------------------
+// --- random surfaces
+// ------------------------------------------------------------------------------------------------
 
 using Random = std::mt19937_64;
 
@@ -377,11 +381,13 @@ inline std::array<Point, 3> RandomRotation(Random& random)
 
 inline Mesh Rotated(const Mesh& mesh, const std::array<Point, 3>& rows)
 {
-  return mesh.Mapped(
-    [&](const Point& p) { return Point{ Dot(rows[0], p), Dot(rows[1], p), Dot(rows[2], p) }; });
+  return mesh.Mapped([&](const Point& p) {
+    return Point{ Dot(rows[0], p), Dot(rows[1], p), Dot(rows[2], p) };
+  });
 }
 
-// --- measures -------------------------------------------------------------------------------------------------------
+// --- measures
+// -------------------------------------------------------------------------------------------------------
 
 inline double Volume(const Mesh& mesh)
 {
@@ -405,7 +411,8 @@ inline double Area(const Mesh& mesh)
   return static_cast<double>(sum / 2.0L);
 }
 
-/** How many edges are not used as often one way as the other; `name` tells which corners are the same. */
+/** How many edges are not used as often one way as the other; `name` tells which corners are the
+ * same. */
 template <class Name>
 std::int64_t NumberOfOpenEdges(const Mesh& mesh, Name&& name)
 {
@@ -444,7 +451,8 @@ inline std::int64_t NumberOfOpenEdgesById(const Mesh& mesh)
   return NumberOfOpenEdges(mesh, [](std::int32_t id) { return id; });
 }
 
-/** The winding number by the sum of solid angles (van Oosterom and Strackee 1983); an integer off a closed surface. */
+/** The winding number by the sum of solid angles (van Oosterom and Strackee 1983); an integer off a
+ * closed surface. */
 inline double Winding(const Mesh& mesh, const Point& p)
 {
   double sum = 0.0;
@@ -456,13 +464,14 @@ inline double Winding(const Mesh& mesh, const Point& p)
     const double la = Length(a);
     const double lb = Length(b);
     const double lc = Length(c);
-    sum += std::atan2(Dot(a, Cross(b, c)),
-      la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb);
+    sum += std::atan2(
+      Dot(a, Cross(b, c)), la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb);
   }
   return sum / (2.0 * 3.14159265358979323846);
 }
 
-// --- the kernel -----------------------------------------------------------------------------------------------------
+// --- the kernel
+// -----------------------------------------------------------------------------------------------------
 
 /** A request and the surfaces it looks at. */
 struct Case
@@ -479,8 +488,7 @@ struct Case
     {
       request.Operands.emplace_back();
       request.Operands.back().Mesh = this->Operand(i).View();
-      request.Operands.back().Side =
-        i < this->Inputs.size() ? sb::Group::Input : sb::Group::Tool;
+      request.Operands.back().Side = i < this->Inputs.size() ? sb::Group::Input : sb::Group::Tool;
     }
     return request;
   }
@@ -507,8 +515,7 @@ inline Mesh ResultMesh(const Case& given, const sb::BooleanResult& result)
   {
     mesh.Points.push_back(point.Position);
   }
-  const auto add = [&](Corners t, bool reversed)
-  {
+  const auto add = [&](Corners t, bool reversed) {
     if (reversed)
     {
       std::swap(t[1], t[2]);
@@ -538,17 +545,19 @@ inline Mesh ResultMesh(const Case& given, const sb::BooleanResult& result)
   return mesh;
 }
 
-inline sb::BooleanResult Compute(
-  const Case& given, sb::SeamPoints seams = sb::SeamPoints::PerSide)
+inline sb::BooleanResult Compute(const Case& given, sb::SeamPoints seams = sb::SeamPoints::PerSide)
 {
   sb::SerialExecutor executor;
   sb::Monitor monitor;
   return sb::ComputeBoolean(given.Request(), seams, executor, monitor);
 }
 
-inline Mesh ComputeMesh(const Case& given)
+inline Mesh ComputeMesh(const Case& given) { return ResultMesh(given, Compute(given)); }
+
+inline double VolumeOf(const Case& given)
 {
-  return ResultMesh(given, Compute(given));
+  const Mesh mesh = ComputeMesh(given);
+  return mesh.Triangles.empty() ? 0.0 : Volume(mesh);
 }
 
 /** What the stages after the first work on. */
@@ -568,6 +577,40 @@ struct Stage
   const sb::BooleanRequest Request;
   const sb::Ingested Checked;
   const sb::Scene World;
+};
+
+/** The stages up to the arrangement, one after the other; `self` says which operands are cut
+ * against themselves. */
+struct CutStage : Stage
+{
+  explicit CutStage(const Case& given, std::vector<std::uint8_t> self = {})
+    : Stage(given)
+    , Self(std::move(self))
+  {
+    this->Self.resize(given.NumberOfOperands(), 0);
+    std::vector<sb::BroadPhaseSurface> surfaces;
+    for (std::int32_t i = 0; i < this->World.NumberOfOperands(); ++i)
+    {
+      const sb::Surface& mesh = this->World.Mesh(i);
+      surfaces.push_back(
+        { mesh.NumberOfTriangles > 0 ? this->World.Position(this->World.FirstVertex(i)) : nullptr,
+          mesh.Triangles, mesh.NumberOfTriangles, this->World.Bounds(i),
+          this->Self[static_cast<std::size_t>(i)] != 0 });
+    }
+    this->Pairs = sb::FindOverlappingPairs(surfaces, this->Executor, this->Monitor);
+    this->Collapsed = sb::FindCollapsedFaces(this->World, this->Pairs);
+    this->Contacts =
+      sb::FindContacts(this->World, this->Pairs, this->Collapsed, this->Executor, this->Monitor);
+    sb::StitchCollapsedFaces(this->World, this->Collapsed, this->Contacts);
+    this->Cuts = sb::MakeArrangement(
+      this->World, this->Contacts, this->Self, this->Collapsed, this->Executor, this->Monitor);
+  }
+
+  std::vector<std::uint8_t> Self;
+  std::vector<sb::TrianglePair> Pairs;
+  std::vector<std::uint8_t> Collapsed;
+  sb::ContactSet Contacts;
+  sb::Arrangement Cuts;
 };
 
 } // namespace shapes

@@ -457,19 +457,31 @@ void HierarchyAnswersLikeAList()
       sb::BVH tree;
       tree.Build(boxes.data(), count, executor);
       CHECK_EQUAL(tree.Size(), count);
-      const Mesh queries = RandomSoup(Kind::AllSizes, 50, random);
-      for (int i = 0; i < 50; ++i)
+      const Mesh questions = RandomSoup(Kind::AllSizes, 64, random);
+      for (int i = 0; i < 64;)
       {
-        const Box query = i % 2 == 0 || count == 0 ? queries.BoxOf(i) : boxes[static_cast<std::size_t>(i * 7 % count)];
-        std::vector<std::int32_t> found;
-        tree.ForEachOverlap(query, [&](std::int32_t box) { found.push_back(box); });
-        std::sort(found.begin(), found.end());
-        std::vector<std::int32_t> expected;
-        for (int j = 0; j < count; ++j)
+        // One query alone, then two together, and so on; some of them are boxes of the hierarchy itself.
+        const int together = std::min(1 + i % sb::BVH::Width, 64 - i);
+        std::vector<sb::BVH::Query> queries;
+        for (const int last = i + together; i < last; ++i)
         {
-          if (sb::Overlap(query, boxes[static_cast<std::size_t>(j)]))
+          queries.push_back({ i % 2 == 0 || count == 0 ? questions.BoxOf(i)
+                                                       : boxes[static_cast<std::size_t>(i * 7 % count)],
+            i % 3 == 0 ? 0 : i * count / 64 });
+        }
+        std::vector<std::pair<int, std::int32_t>> found;
+        tree.ForEachOverlap(queries.data(), together,
+          [&](int query, std::int32_t box) { found.emplace_back(query, box); });
+        std::sort(found.begin(), found.end());
+        std::vector<std::pair<int, std::int32_t>> expected;
+        for (int query = 0; query < together; ++query)
+        {
+          for (int j = queries[static_cast<std::size_t>(query)].First; j < count; ++j)
           {
-            expected.push_back(j);
+            if (sb::Overlap(queries[static_cast<std::size_t>(query)].Extent, boxes[static_cast<std::size_t>(j)]))
+            {
+              expected.emplace_back(query, j);
+            }
           }
         }
         CHECK(found == expected);

@@ -19,8 +19,8 @@ using Places = std::map<rational::Point, std::pair<sb::Location, sb::Location>>;
 
 struct Meeting
 {
-  Places Ends;           ///< of all contacts, with their places on the first and the second triangle
-  std::size_t Segments;  ///< different ones that are longer than a point
+  Places Ends; ///< of all contacts, with their places on the first and the second triangle
+  std::size_t Segments; ///< different ones that are longer than a point
   std::size_t Contacts;
 };
 
@@ -29,7 +29,8 @@ char Letter(sb::Location location)
   return sb::IsCorner(location) ? 'V' : sb::IsEdge(location) ? 'E' : 'F';
 }
 
-/** What is at each end, for the first triangle and the second: "EF VV" is an edge in a face, and two corners. */
+/** What is at each end, for the first triangle and the second: "EF VV" is an edge in a face, and
+ * two corners. */
 std::string Kinds(const Meeting& meeting)
 {
   std::vector<std::string> kinds;
@@ -63,8 +64,8 @@ void CheckContact(const shapes::Stage& stage, const sb::ContactSet& set, const s
 {
   const rational::Triangle own = TriangleOf(stage.World, contact.Face);
   const rational::Triangle other = TriangleOf(stage.World, contact.Other);
-  const bool coplanar = rational::Cross(rational::Normal(own), rational::Normal(other)) ==
-    rational::Point{ 0, 0, 0 };
+  const bool coplanar =
+    rational::Cross(rational::Normal(own), rational::Normal(other)) == rational::Point{ 0, 0, 0 };
   CHECK_EQUAL(contact.OtherEdge == -1, !coplanar);
   bool onOneOwnEdge = false;
   for (std::size_t edge = 0; edge < 3; ++edge)
@@ -112,8 +113,8 @@ Meeting Meet(const shapes::Mesh& a, const shapes::Mesh& b)
     rational::Point ends[2];
     for (std::size_t end = 0; end < 2; ++end)
     {
-      ends[end] = rational::ToPoint(
-        set.Points[static_cast<std::size_t>(contact.Points[end])].Point);
+      ends[end] =
+        rational::ToPoint(set.Points[static_cast<std::size_t>(contact.Points[end])].Point);
       const auto place = meeting.Ends.emplace(ends[end], std::make_pair(-1, -1)).first;
       (contact.Face == 0 ? place->second.first : place->second.second) = contact.Ends[end];
     }
@@ -156,8 +157,7 @@ void CheckAgainstReference(const shapes::Mesh& a, const shapes::Mesh& b)
 shapes::Mesh Turned(const shapes::Mesh& triangle, int turn, bool reversed)
 {
   shapes::Mesh mesh = reversed ? triangle.Reversed() : triangle;
-  std::rotate(
-    mesh.Triangles[0].begin(), mesh.Triangles[0].begin() + turn, mesh.Triangles[0].end());
+  std::rotate(mesh.Triangles[0].begin(), mesh.Triangles[0].begin() + turn, mesh.Triangles[0].end());
   return mesh;
 }
 
@@ -224,12 +224,12 @@ void CheckClasses()
 void CheckRandomPairs()
 {
   shapes::Random random(1);
-  const auto triangle = [&](int extent)
-  {
+  const auto triangle = [&](int extent) {
     for (;;)
     {
       const shapes::Mesh mesh = shapes::Triangle(shapes::IntegerPoint(random, -extent, extent),
-        shapes::IntegerPoint(random, -extent, extent), shapes::IntegerPoint(random, -extent, extent));
+        shapes::IntegerPoint(random, -extent, extent),
+        shapes::IntegerPoint(random, -extent, extent));
       if (shapes::Area(mesh) > 0.0)
       {
         return mesh;
@@ -246,8 +246,9 @@ void CheckRandomPairs()
     {
       // In one plane, which is steep or flat.
       const double slope = shapes::Between(random, -1, 1);
-      const auto flatten = [&](const shapes::Point& p)
-      { return shapes::Point{ p[0], p[1], slope * (p[0] + p[1]) }; };
+      const auto flatten = [&](const shapes::Point& p) {
+        return shapes::Point{ p[0], p[1], slope * (p[0] + p[1]) };
+      };
       a = a.Mapped(flatten);
       b = b.Mapped(flatten);
       if (shapes::Area(a) == 0.0 || shapes::Area(b) == 0.0)
@@ -278,8 +279,7 @@ void CheckLargeCoordinates()
 /** Neighbours of one operand touch in what they share; that is no contact, all else is. */
 void CheckOneOperand()
 {
-  const auto contacts = [](const shapes::Mesh& a, const shapes::Mesh& b)
-  {
+  const auto contacts = [](const shapes::Mesh& a, const shapes::Mesh& b) {
     shapes::Mesh both = a;
     both.Append(b);
     shapes::Stage stage({ { both }, {}, sb::Operation::Resolve });
@@ -313,9 +313,10 @@ void CheckSet()
   const sb::ContactSet set =
     sb::FindContacts(stage.World, pairs, {}, stage.Executor, stage.Monitor);
   CHECK(set.Contacts.size() > 100);
-  CHECK(std::is_sorted(set.Contacts.begin(), set.Contacts.end(),
-    [](const sb::Contact& l, const sb::Contact& r)
-    { return std::make_pair(l.Face, l.Other) < std::make_pair(r.Face, r.Other); }));
+  CHECK(std::is_sorted(
+    set.Contacts.begin(), set.Contacts.end(), [](const sb::Contact& l, const sb::Contact& r) {
+      return std::make_pair(l.Face, l.Other) < std::make_pair(r.Face, r.Other);
+    }));
   for (const sb::Contact& contact : set.Contacts)
   {
     CheckContact(stage, set, contact);

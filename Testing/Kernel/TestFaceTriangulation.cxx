@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TestFaceTriangulation.cxx
- * @brief The cells fill the face exactly, every constraint is a chain of edges, and free edges are Delaunay.
+ * @brief The cells fill the face exactly, every constraint is a chain of edges, and free edges are
+ * Delaunay.
  */
 #include "Check.h"
 #include "FaceTriangulation.h"
@@ -107,7 +108,8 @@ std::vector<Flat> FlatVertices(const Drawing& drawing)
   return flat;
 }
 
-/** A valid triangulation of the face: positive cells that add up to it, and links that agree with each other. */
+/** A valid triangulation of the face: positive cells that add up to it, and links that agree with
+ * each other. */
 void CheckCells(const Drawing& drawing, const std::vector<Flat>& flat)
 {
   const std::vector<FaceTriangulation::Cell>& cells = drawing.Mesh.Cells();
@@ -122,11 +124,11 @@ void CheckCells(const Drawing& drawing, const std::vector<Flat>& flat)
     sum += area;
     for (std::size_t edge = 0; edge < 3; ++edge)
     {
-      const bool isNew = edges
-                           .insert({ { cells[i].Vertices[(edge + 1) % 3],
-                                       cells[i].Vertices[(edge + 2) % 3] },
-                             { static_cast<int>(i), static_cast<int>(edge) } })
-                           .second;
+      const bool isNew =
+        edges
+          .insert({ { cells[i].Vertices[(edge + 1) % 3], cells[i].Vertices[(edge + 2) % 3] },
+            { static_cast<int>(i), static_cast<int>(edge) } })
+          .second;
       CHECK(isNew);
     }
   }
@@ -163,8 +165,7 @@ void CheckConstraints(const Drawing& drawing, const std::vector<Flat>& flat)
     {
       if (cell.Constraints[edge] != FaceTriangulation::None)
       {
-        marked.insert(
-          std::minmax(cell.Vertices[(edge + 1) % 3], cell.Vertices[(edge + 2) % 3]));
+        marked.insert(std::minmax(cell.Vertices[(edge + 1) % 3], cell.Vertices[(edge + 2) % 3]));
       }
     }
   }
@@ -208,10 +209,7 @@ void CheckAll(const Drawing& drawing)
 }
 
 /** In the plane x + y + z = 0 if `tilted`, else in z = 0. */
-Point InPlane(double x, double y, bool tilted)
-{
-  return { x, y, tilted ? -x - y : 0.0 };
-}
+Point InPlane(double x, double y, bool tilted) { return { x, y, tilted ? -x - y : 0.0 }; }
 
 std::array<Point, 3> Face(double size, bool tilted, bool reversed)
 {
@@ -240,7 +238,8 @@ void CheckSingle()
     CHECK_EQUAL(drawing.Insert(InPlane(6, 6, true)), onEdge);
     CHECK_EQUAL(drawing.Mesh.Cells().size(), 4u);
     CheckAll(drawing);
-    // An edge of the face, a line through a point on it, a line through a vertex within, and a crossing.
+    // An edge of the face, a line through a point on it, a line through a vertex within, and a
+    // crossing.
     drawing.Draw(InPlane(12, 0, true), InPlane(0, 12, true));
     CHECK_EQUAL(drawing.Passes.count({ 0, onEdge }), 1u);
     drawing.Draw(InPlane(0, 4, true), InPlane(6, 4, true));
@@ -257,7 +256,8 @@ void CheckSingle()
   }
 }
 
-/** Segments between small integers: they cross, touch, and lie on each other and on the face's edges. */
+/** Segments between small integers: they cross, touch, and lie on each other and on the face's
+ * edges. */
 void CheckSmallIntegers()
 {
   Random random(3);
@@ -268,8 +268,7 @@ void CheckSmallIntegers()
     const int size = Between(random, 2, 6);
     const bool tilted = Between(random, 0, 1) == 0;
     Drawing drawing(Face(size, tilted, Between(random, 0, 1) == 0));
-    const auto point = [&]
-    {
+    const auto point = [&] {
       const int x = Between(random, 0, size);
       return InPlane(x, Between(random, 0, size - x), tilted);
     };
@@ -315,7 +314,8 @@ void CheckPointsOnEdges()
   }
 }
 
-/** How many free edges have the opposite vertex inside the circle of their cell, by rational arithmetic. */
+/** How many free edges have the opposite vertex inside the circle of their cell, by rational
+ * arithmetic. */
 int NumberOfBadEdges(const Drawing& drawing, const std::vector<Flat>& flat)
 {
   int bad = 0;
@@ -369,7 +369,8 @@ void CheckManyPoints()
   CHECK_EQUAL(NumberOfBadEdges(drawing, flat), 0);
 }
 
-/** On a grid all circles are shared by four points: any of the triangulations will do, but it has to be found. */
+/** On a grid all circles are shared by four points: any of the triangulations will do, but it has
+ * to be found. */
 void CheckGrid()
 {
   constexpr int size = 48;
@@ -388,7 +389,8 @@ void CheckGrid()
   CHECK_EQUAL(NumberOfBadEdges(drawing, flat), 0);
 }
 
-/** A fan of long lines through many points: constraints that cross hundreds of edges, and each other. */
+/** A fan of long lines through many points: constraints that cross hundreds of edges, and each
+ * other. */
 void CheckLongConstraints()
 {
   Random random(6);

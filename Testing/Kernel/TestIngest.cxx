@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TestIngest.cxx
- * @brief Every condition of an operand is recognised, with the place and the count; what is good is measured.
+ * @brief Every condition of an operand is recognised, with the place and the count; what is good is
+ * measured.
  */
 #include "Check.h"
 #include "Ingest.h"
@@ -31,8 +32,8 @@ sb::Remark RemarkOn(const Mesh& mesh)
   return result.Remarks.empty() ? sb::Remark() : result.Remarks.front();
 }
 
-void CheckRemark(const Mesh& mesh, Status condition, std::int64_t triangle, std::int64_t point,
-  std::int64_t count)
+void CheckRemark(
+  const Mesh& mesh, Status condition, std::int64_t triangle, std::int64_t point, std::int64_t count)
 {
   const sb::Remark remark = RemarkOn(mesh);
   CHECK_EQUAL(int(remark.Condition), int(condition));
@@ -82,7 +83,8 @@ void CheckClosed()
   const sb::Ingested result = Ingest(spare);
   CHECK(result.Remarks.empty());
   CHECK_EQUAL(result.Reports[0].Bounds[1], 3.0);
-  // Closed without being a manifold: two boxes along a common edge; and a collapsed triangle is no harm.
+  // Closed without being a manifold: two boxes along a common edge; and a collapsed triangle is no
+  // harm.
   Mesh two = Cube(0, 1);
   two.Append(Box({ 1, 1, 0 }, { 2, 2, 1 }));
   CHECK(Ingest(two).Remarks.empty());
@@ -177,8 +179,8 @@ void CheckBadNumbers()
       CHECK_EQUAL(remark.Point, 6);
     }
   }
-  for (const std::int32_t bad : { -1, 8, std::numeric_limits<std::int32_t>::min(),
-         std::numeric_limits<std::int32_t>::max() })
+  for (const std::int32_t bad :
+    { -1, 8, std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max() })
   {
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
@@ -226,7 +228,8 @@ void CheckEmpty()
   CHECK_EQUAL(int(Ingest(points).Open[0]), 0);
 }
 
-/** Several operands: each has its own entry, whatever the others are; a kept examination gives the same. */
+/** Several operands: each has its own entry, whatever the others are; a kept examination gives the
+ * same. */
 void CheckSeveral()
 {
   Mesh open = Cube(0, 1);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TestPointTable.cxx
- * @brief Equal points get one node whatever made them and whenever they come; different ones never do, however near.
+ * @brief Equal points get one node whatever made them and whenever they come; different ones never
+ * do, however near.
  */
 #include "Check.h"
 #include "PointTable.h"
@@ -41,9 +42,9 @@ ContactPoint RandomPoint(Random& random)
         sb::Orient3D(p[2].data(), p[3].data(), p[4].data(), p[1].data()) <
       0)
     {
-      return { ExactPoint::LinePlane(
-                 p[0].data(), p[1].data(), p[2].data(), p[3].data(), p[4].data()),
-        -1 };
+      return {
+        ExactPoint::LinePlane(p[0].data(), p[1].data(), p[2].data(), p[3].data(), p[4].data()), -1
+      };
     }
   }
 }
@@ -130,9 +131,9 @@ void CheckSameDoubles()
   for (int i = 0; i < 6; ++i)
   {
     const Point steep[2] = { { 1, 0, 0 }, { 1.0 + i, far, 0 } };
-    points.push_back({ ExactPoint::LineLine(
-                         flat[0].data(), flat[1].data(), steep[0].data(), steep[1].data(), 2),
-      -1 });
+    points.push_back(
+      { ExactPoint::LineLine(flat[0].data(), flat[1].data(), steep[0].data(), steep[1].data(), 2),
+        -1 });
     CHECK_EQUAL(points.back().Point.Approximation()[0], 1.0);
     CHECK_EQUAL(points.back().Point.Approximation()[1], points[0].Point.Approximation()[1]);
   }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TestRadialOrder.cxx
- * @brief Half-planes around an edge come in the order of their angles; those that coincide in the order of their layers.
+ * @brief Half-planes around an edge come in the order of their angles; those that coincide in the
+ * order of their layers.
  */
 #include "Check.h"
 #include "PointTable.h"
@@ -23,19 +24,18 @@ struct Direction
   int Y;
 };
 
-double Angle(const Direction& d)
-{
-  return std::atan2(double(d.Y), double(d.X));
-}
+double Angle(const Direction& d) { return std::atan2(double(d.Y), double(d.X)); }
 
-/** In (0, 2 pi], or 0 where the directions are the same: directions this short differ by more than rounding does. */
+/** In (0, 2 pi], or 0 where the directions are the same: directions this short differ by more than
+ * rounding does. */
 double AngleBetween(const Direction& from, const Direction& to)
 {
   const double turn = Angle(to) - Angle(from);
   return std::abs(turn) < 1e-9 ? 0.0 : turn < 0.0 ? turn + 2.0 * 3.14159265358979323846 : turn;
 }
 
-/** A face at the edge: one half-plane if the edge is one of its own, two if it runs through its inside. */
+/** A face at the edge: one half-plane if the edge is one of its own, two if it runs through its
+ * inside. */
 struct FaceAtEdge
 {
   Direction Towards;
@@ -50,7 +50,10 @@ struct Frame
   Point Y;
   Point Z;
 
-  Point operator()(double x, double y, double z) const { return x * this->X + y * this->Y + z * this->Z; }
+  Point operator()(double x, double y, double z) const
+  {
+    return x * this->X + y * this->Y + z * this->Z;
+  }
 };
 
 constexpr double Low = -3.0;
@@ -63,9 +66,9 @@ Mesh MakeFace(const Frame& frame, const FaceAtEdge& face, Random& random)
   const double reach = Between(random, 1, 3);
   const Point tip = frame(reach * x, reach * y, Between(random, -9, 9));
   // Running up: low end, high end, then the tip on the left.
-  Mesh mesh = face.Through
-    ? Triangle(frame(-x, -y, Low - 20), frame(-x, -y, High + 20), tip)
-    : Triangle(frame(0, 0, Low - Between(random, 0, 3)), frame(0, 0, High + Between(random, 0, 3)), tip);
+  Mesh mesh = face.Through ? Triangle(frame(-x, -y, Low - 20), frame(-x, -y, High + 20), tip)
+                           : Triangle(frame(0, 0, Low - Between(random, 0, 3)),
+                               frame(0, 0, High + Between(random, 0, 3)), tip);
   if (!face.RunsUp)
   {
     mesh = mesh.Reversed();
@@ -93,8 +96,7 @@ void CheckAround(const Frame& frame, const std::vector<FaceAtEdge>& faces, Rando
   // The edge's ends in lattice units, found from any face's scale.
   const double scale = stage.World.Grid().Scale;
   sb::PointTable table;
-  const auto node = [&](double z)
-  {
+  const auto node = [&](double z) {
     const Point p = scale * frame(0, 0, z);
     return table.Insert({ { sb::ExactPoint::Vertex(p.data()), -1 } }, stage.Executor).front();
   };
@@ -111,8 +113,7 @@ void CheckAround(const Frame& frame, const std::vector<FaceAtEdge>& faces, Rando
       const Direction towards{ sign * faces[i].Towards.X, sign * faces[i].Towards.Y };
       const bool runsUp = faces[i].RunsUp == (side == 0);
       // The direction of turning is across the half-plane: edge x direction.
-      const Point turning =
-        Cross(frame(0, 0, 1), frame(towards.X, towards.Y, 0));
+      const Point turning = Cross(frame(0, 0, 1), frame(towards.X, towards.Y, 0));
       std::size_t axis = 0;
       for (std::size_t k = 1; k < 3; ++k)
       {
@@ -137,8 +138,9 @@ void CheckAround(const Frame& frame, const std::vector<FaceAtEdge>& faces, Rando
   }
   CHECK(std::count(seen.begin(), seen.end(), 1) == static_cast<std::ptrdiff_t>(seen.size()));
 
-  const auto of = [&](std::size_t i) -> const Known&
-  { return known[static_cast<std::size_t>(pieces[i % pieces.size()].Region)]; };
+  const auto of = [&](std::size_t i) -> const Known& {
+    return known[static_cast<std::size_t>(pieces[i % pieces.size()].Region)];
+  };
   // Once around, and no more: all steps together are one full turn.
   double sum = 0.0;
   bool allSame = true;
