@@ -660,6 +660,8 @@ private:
     std::size_t Tree;
     std::int32_t Operand;
     int RelativeAtProbe; ///< winding number in front of the probed patch, less that at the root
+    bool IsCheck;        ///< the answer has been assumed
+    int Assumed;         ///< winding number at the root
   };
 
   void FindWindingsAtRoots()
@@ -667,12 +669,13 @@ private:
     std::vector<int> relative(std::size_t(this->NumberOfOperands), 0);
     std::vector<std::int32_t> lastSeen(std::size_t(this->NumberOfOperands), -1);
     std::vector<int> atRoot(std::size_t(this->NumberOfOperands), 0);
+    std::vector<std::int32_t> lastChecked(std::size_t(this->NumberOfOperands), -1);
     std::vector<Question> questions;
     for (std::size_t t = 0; t < this->Trees.size(); ++t)
     {
       Tree& tree = this->Trees[t];
       const auto stamp = static_cast<std::int32_t>(t);
-      std::vector<Question> own;
+      std::vector<std::int32_t> present;
       bool probeIsWhole = this->Patches[std::size_t(tree.Probed)].Region < 0;
       std::vector<int> relativeAtProbe(relative);
       this->Walk(tree, relative,
@@ -687,6 +690,7 @@ private:
             tree.Probed = p;
             relativeAtProbe = relative;
           }
+          this->CheckFarPatch(p, relative, stamp, lastSeen, atRoot, lastChecked);
           if (this->IsOpen(patch.Operand))
           {
             return;
@@ -695,16 +699,10 @@ private:
           {
             lastSeen[operand] = stamp;
             atRoot[operand] = -relative[operand];
-            if (!this->IsSelf(patch.Operand))
+            present.push_back(patch.Operand);
+            if (!this->IsSelf(patch.Operand) && atRoot[operand] != 0)
             {
-              if (atRoot[operand] != 0)
-              {
-                tree.AtRoot.push_back({ patch.Operand, atRoot[operand] });
-              }
-            }
-            else
-            {
-              own.push_back({ t, patch.Operand, 0 });
+              tree.AtRoot.push_back({ patch.Operand, atRoot[operand] });
             }
           }
           else if (!this->IsSelf(patch.Operand) && atRoot[operand] != -relative[operand])
@@ -712,21 +710,53 @@ private:
             this->Result.SelfIntersecting[operand] = 1;
           }
         });
-      for (Question& question : own)
+      for (const std::int32_t operand : present)
       {
-        question.RelativeAtProbe = relativeAtProbe[std::size_t(question.Operand)];
-        questions.push_back(question);
+        const auto index = std::size_t(operand);
+        if (this->IsSelf(operand) || lastChecked[index] != stamp)
+        {
+          questions.push_back(
+            { t, operand, relativeAtProbe[index], !this->IsSelf(operand), atRoot[index] });
+        }
       }
       for (std::int32_t operand = 0; operand < this->NumberOfOperands; ++operand)
       {
         if (lastSeen[std::size_t(operand)] != stamp && !this->IsOpen(operand) &&
           this->MayBeInside(this->Patches[std::size_t(tree.Probed)].Face, operand))
         {
-          questions.push_back({ t, operand, 0 });
+          questions.push_back({ t, operand, 0, false, 0 });
         }
       }
     }
     this->Ask(questions);
+  }
+
+  /**
+   * Outside of an operand's box its winding number is 0. Where a patch lies there whose number of that operand follows
+   * from the assumption that it is clean, this checks the assumption. Only for few operands, as each patch is compared
+   * with each operand; else a query is made.
+   */
+  void CheckFarPatch(std::int32_t p, const std::vector<int>& relative, std::int32_t stamp,
+    const std::vector<std::int32_t>& lastSeen, const std::vector<int>& atRoot,
+    std::vector<std::int32_t>& lastChecked)
+  {
+    constexpr std::int32_t few = 8;
+    const Patch& patch = this->Patches[std::size_t(p)];
+    for (std::int32_t operand = 0;
+         patch.Region < 0 && this->NumberOfOperands <= few && operand < this->NumberOfOperands;
+         ++operand)
+    {
+      const auto index = std::size_t(operand);
+      if (operand != patch.Operand && lastSeen[index] == stamp && lastChecked[index] != stamp &&
+        !this->IsOpen(operand) && !this->MayBeInside(patch.Face, operand))
+      {
+        lastChecked[index] = stamp;
+        if (!this->IsSelf(operand) && atRoot[index] + relative[index] != 0)
+        {
+          this->Result.SelfIntersecting[index] = 1;
+        }
+      }
+    }
   }
 
   /** Whether all corners of a face are inside the box of an operand. */
@@ -780,7 +810,14 @@ private:
         const int inFront = queries[i].Winding -
           (!frontIsUp && patch.Operand == question.Operand ? 1 : 0);
         const int atRoot = inFront - question.RelativeAtProbe;
-        if (atRoot != 0)
+        if (question.IsCheck)
+        {
+          if (atRoot != question.Assumed)
+          {
+            this->Result.SelfIntersecting[std::size_t(question.Operand)] = 1;
+          }
+        }
+        else if (atRoot != 0)
         {
           this->Trees[question.Tree].AtRoot.push_back({ question.Operand, atRoot });
         }

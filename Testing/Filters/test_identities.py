@@ -305,6 +305,20 @@ def test_bodies_on_a_tiny_grid_enclose_what_their_winding_numbers_say(kind, seed
         assert np.array_equal(measures.inside(result.body, points), expected), operation
 
 
+@pytest.mark.parametrize("operation", [*SET_OPERATIONS, RESOLVE])
+@pytest.mark.parametrize("place", [(5, 0, 0), (5.5, 0.25, 0.125), (5.25, 0, 0), (4, 0, 0)])
+def test_a_part_turned_inside_out_encloses_nothing(place, operation):
+    """Its winding number is -1; the operand as a whole has a positive volume all the same."""
+    first = meshes.joined(meshes.cube(2.0), meshes.inside_out(meshes.cube(1.0, (5, 0, 0))))
+    second = meshes.cube(1.0, place)
+    result = boolean([first], [second], operation)
+    assert result.status == 0 and measures.open_edges(result.body) == 0
+    rng = np.random.default_rng(13)
+    points = measures.probes(rng, [first, second], 400, 1e-4)
+    expected = measures.expected_inside(operation, [first], [second], points)
+    assert np.array_equal(measures.inside(result.body, points), expected)
+
+
 # ---- invariance --------------------------------------------------------------------------------
 
 
