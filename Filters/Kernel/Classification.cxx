@@ -447,11 +447,32 @@ private:
     for (std::int32_t i = cut->FirstPiece; i < end; ++i)
     {
       const Piece& piece = this->Cuts.Pieces[std::size_t(i)];
-      if (std::count_if(piece.Where.begin(), piece.Where.end(), isOnEdge) >= 2)
+      for (std::size_t k = 0; k < 3; ++k)
       {
-        this->Patches[std::size_t(this->PatchOfRegion(piece.Region))].HasRim = true;
+        const std::size_t next = (k + 1) % 3;
+        if (isOnEdge(piece.Where[k]) && isOnEdge(piece.Where[next]) &&
+          !this->IsContactEdge(piece.Corners[k], piece.Corners[next]))
+        {
+          this->Patches[std::size_t(this->PatchOfRegion(piece.Region))].HasRim = true;
+        }
       }
     }
+  }
+
+  /** Whether an edge of the arrangement lies on a contact: a rim there ends on another surface, and not in space. */
+  bool IsContactEdge(CornerRef a, CornerRef b) const
+  {
+    const EdgeUse wanted{ std::min(a, b), std::max(a, b), -1, false, false };
+    const std::vector<EdgeUse>& uses = this->Cuts.EdgeUses;
+    for (auto use = std::lower_bound(uses.begin(), uses.end(), wanted);
+         use != uses.end() && use->Low == wanted.Low && use->High == wanted.High; ++use)
+    {
+      if (use->IsContact)
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
   // --- relations ---------------------------------------------------------------------------------------------------
@@ -944,15 +965,25 @@ private:
           }
         });
     }
+    // Cut and collapsed faces may lie beyond the boxes, where a collapsed face has been stitched.
+    for (const CutFace& cut : this->Cuts.Faces)
+    {
+      this->FateOf(cut.Face) = Fate::Split;
+    }
     for (std::size_t face = 0; face < this->In.Collapsed.size(); ++face)
     {
       if (this->In.Collapsed[face])
       {
-        const std::int32_t operand = this->World.OperandOfFace(static_cast<std::int32_t>(face));
-        this->Result.Fates[std::size_t(operand)]
-                          [face - std::size_t(this->World.FirstFace(operand))] = Fate::Dropped;
+        this->FateOf(static_cast<std::int32_t>(face)) = Fate::Dropped;
       }
     }
+  }
+
+  Fate& FateOf(std::int32_t face)
+  {
+    const std::int32_t operand = this->World.OperandOfFace(face);
+    return this->Result
+      .Fates[std::size_t(operand)][std::size_t(face - this->World.FirstFace(operand))];
   }
 
   /** The fate of a near face. */

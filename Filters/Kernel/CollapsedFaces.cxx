@@ -58,6 +58,39 @@ bool IsInside(const double* p, const double* a, const double* b)
   return between;
 }
 
+/** Where a vertex lies on a closed face; -1 if it does not. */
+Location LocationOn(const Scene& scene, std::int32_t vertex, std::int32_t face)
+{
+  const std::array<std::int32_t, 3> corners = scene.Corners(face);
+  const double* p = scene.Position(vertex);
+  const double* const q[3] = { scene.Position(corners[0]), scene.Position(corners[1]),
+    scene.Position(corners[2]) };
+  if (Orient3D(q[0], q[1], q[2], p) != 0)
+  {
+    return -1;
+  }
+  const DominantNormal normal = ComputeDominantNormal(q[0], q[1], q[2]);
+  Location zeros[2] = { -1, -1 };
+  int numberOfZeros = 0;
+  for (int edge = 0; edge < 3; ++edge)
+  {
+    const int side = Orient2D(q[edge], q[(edge + 1) % 3], p, normal.Axis) * normal.Sign;
+    if (side < 0)
+    {
+      return -1;
+    }
+    if (side == 0)
+    {
+      zeros[numberOfZeros++] = static_cast<Location>(edge);
+    }
+  }
+  if (numberOfZeros == 2)
+  {
+    return static_cast<Location>(zeros[0] == 0 && zeros[1] == 2 ? 0 : zeros[1]); // where both edges meet
+  }
+  return static_cast<Location>(numberOfZeros == 1 ? 3 + zeros[0] : Interior);
+}
+
 /** The collapsed faces of one operand, by their edges. */
 class CollapsedEdges
 {
@@ -160,6 +193,24 @@ void Spread(const Scene& scene, std::int32_t operand, CollapsedEdges& edges,
   }
 }
 
+/** The faces that a face touches, by the first `known` contacts, which are sorted. */
+std::vector<std::int32_t> OthersInContact(
+  const std::vector<Contact>& contacts, std::size_t known, std::int32_t face)
+{
+  std::vector<std::int32_t> others;
+  const auto end = contacts.begin() + static_cast<std::ptrdiff_t>(known);
+  for (auto it = std::lower_bound(contacts.begin(), end, face,
+         [](const Contact& contact, std::int32_t value) { return contact.Face < value; });
+       it != end && it->Face == face; ++it)
+  {
+    if (others.empty() || others.back() != it->Other)
+    {
+      others.push_back(it->Other);
+    }
+  }
+  return others;
+}
+
 } // namespace
 
 std::vector<std::uint8_t> FindCollapsedFaces(
@@ -205,6 +256,7 @@ void StitchCollapsedFaces(
   {
     return;
   }
+  const std::size_t known = contacts.Contacts.size();
   for (std::int32_t operand = 0; operand < scene.NumberOfOperands(); ++operand)
   {
     CollapsedEdges edges(scene, operand, collapsed);
@@ -236,6 +288,16 @@ void StitchCollapsedFaces(
             contacts.Points.push_back({ ExactPoint::Vertex(scene.Position(vertex)), vertex });
             const auto where = static_cast<Location>(3 + edge);
             contacts.Contacts.push_back({ face, face, -1, { where, where }, { point, point } });
+            // Faces of others that the edge lies on see the point, too.
+            for (const std::int32_t other : OthersInContact(contacts.Contacts, known, face))
+            {
+              const Location there = LocationOn(scene, vertex, other);
+              if (there >= 0)
+              {
+                contacts.Contacts.push_back(
+                  { other, face, -1, { there, there }, { point, point } });
+              }
+            }
           }
         }
       }

@@ -119,6 +119,16 @@ bool OnOneSide(const int signs[3])
     (signs[0] < 0 && signs[1] < 0 && signs[2] < 0);
 }
 
+bool HaveSameCorners(const Triangle& a, const Triangle& b)
+{
+  return std::all_of(std::begin(a.P), std::end(a.P),
+    [&](const double* p)
+    {
+      return std::any_of(std::begin(b.P), std::end(b.P),
+        [&](const double* q) { return p[0] == q[0] && p[1] == q[1] && p[2] == q[2]; });
+    });
+}
+
 /** Collects what the pairs of one range of the pair list give. */
 class Collector
 {
@@ -140,7 +150,8 @@ public:
     {
       return;
     }
-    this->SameOperand = sameOperand;
+    // Two copies of one triangle have all edges in common, but they also overlap.
+    this->SkipsCommonEdges = sameOperand && !HaveSameCorners(a, b);
     const std::size_t before = this->Contacts.size();
     if (signsOfB[0] == 0 && signsOfB[1] == 0 && signsOfB[2] == 0)
     {
@@ -347,7 +358,7 @@ private:
   void Add(const Triangle& a, const Triangle& b, std::int8_t carrierOnA, std::int8_t carrierOnB,
     const End ends[2])
   {
-    if (this->SameOperand && IsCorner(ends[0].OnA) && IsCorner(ends[0].OnB) &&
+    if (this->SkipsCommonEdges && IsCorner(ends[0].OnA) && IsCorner(ends[0].OnB) &&
       IsCorner(ends[1].OnA) && IsCorner(ends[1].OnB))
     {
       return; // a corner or an edge that the two have in common
@@ -371,7 +382,7 @@ private:
   }
 
   const Scene* World;
-  bool SameOperand = false;
+  bool SkipsCommonEdges = false;
 };
 
 } // namespace

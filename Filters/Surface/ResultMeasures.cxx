@@ -110,12 +110,13 @@ private:
 ResultMeasures MeasureWholeTriangles(const sb::Surface& mesh, const sb::OperandReport& report,
   const std::vector<sb::Fate>& fates, const Vector& apex, sb::Executor& executor)
 {
-  // Of a closed operand the whole is known: where most of it is kept, less work takes away the rest.
+  // Of a closed operand the whole is known: where most of it is kept, less work takes away the
+  // rest.
   const auto count = static_cast<std::int64_t>(fates.size());
   const bool fromWhole =
     report.Closed && 2 * std::count(fates.begin(), fates.end(), sb::Fate::Kept) > count;
-  ResultMeasures result = SumOfBlocks(count, executor,
-    [&](std::int64_t triangle, ResultMeasures& sum) {
+  ResultMeasures result =
+    SumOfBlocks(count, executor, [&](std::int64_t triangle, ResultMeasures& sum) {
       const sb::Fate fate = fates[triangle];
       const double times =
         fate == sb::Fate::Kept ? 1.0 : (fate == sb::Fate::KeptReversed ? -1.0 : 0.0);
@@ -153,8 +154,8 @@ ResultMeasures MeasureResult(const std::vector<std::shared_ptr<OperandSurface>>&
   };
   for (std::size_t operand = 0; operand < operands.size(); ++operand)
   {
-    add(MeasureWholeTriangles(operands[operand]->Mesh(), result.Operands[operand],
-      result.Fates[operand], apex, executor));
+    add(MeasureWholeTriangles(
+      operands[operand]->Mesh(), result.Operands[operand], result.Fates[operand], apex, executor));
   }
   const Positions positions(operands, result);
   add(SumOfBlocks(static_cast<std::int64_t>(result.Split.Corners.size()), executor,
