@@ -14,7 +14,8 @@ namespace sb
 namespace
 {
 
-/** Corners that are points made while a face was cut count from here until they have become nodes. */
+/** Corners that are points made while a face was cut count from here until they have become nodes.
+ */
 constexpr CornerRef FirstPending = 1 << 30;
 
 /** The boundary of a region, order and direction aside. */
@@ -38,7 +39,8 @@ struct RawEdgeUse
   bool IsContact;
 };
 
-/** What cutting a range of faces gives; regions, pieces and pending points are numbered within the range. */
+/** What cutting a range of faces gives; regions, pieces and pending points are numbered within the
+ * range. */
 struct Batch
 {
   std::vector<CutFace> Faces;
@@ -94,15 +96,15 @@ public:
     {
       this->Out.SelfIntersecting[std::size_t(operand)] = 1;
     }
-    return ExactPoint::ThreePlanes(
-      ExactPlane::Through(this->P(0), this->P(1), this->P(2)), this->Carrier(first),
-      this->Carrier(second));
+    return ExactPoint::ThreePlanes(ExactPlane::Through(this->P(0), this->P(1), this->P(2)),
+      this->Carrier(first), this->Carrier(second));
   }
 
   void PassesThrough(int constraint, int vertex) override
   {
-    // A clean operand's neighbouring faces meet at their ends only. So a point that another face of the same operand
-    // makes inside this one's line shows two faces that touch without having been cut against each other.
+    // A clean operand's neighbouring faces meet at their ends only. So a point that another face of
+    // the same operand makes inside this one's line shows two faces that touch without having been
+    // cut against each other.
     const Contact& contact = this->ContactOf(constraint);
     const std::int32_t operand = this->World.OperandOfFace(contact.Other);
     if (this->Self[std::size_t(operand)] || this->Out.SelfIntersecting[std::size_t(operand)] ||
@@ -134,7 +136,10 @@ private:
     std::uint64_t Order;
   };
 
-  const double* P(int corner) const { return this->World.Position(this->Corners[std::size_t(corner)]); }
+  const double* P(int corner) const
+  {
+    return this->World.Position(this->Corners[std::size_t(corner)]);
+  }
   const Contact& ContactOf(int constraint) const
   {
     return this->Contacts.Contacts[this->FirstContact + std::size_t(constraint)];
@@ -145,8 +150,8 @@ private:
     const std::array<std::int32_t, 3> corners = this->World.Corners(contact.Other);
     if (contact.OtherEdge < 0)
     {
-      return ExactPlane::Through(this->World.Position(corners[0]),
-        this->World.Position(corners[1]), this->World.Position(corners[2]));
+      return ExactPlane::Through(this->World.Position(corners[0]), this->World.Position(corners[1]),
+        this->World.Position(corners[2]));
     }
     const auto edge = std::size_t(contact.OtherEdge);
     return ExactPlane::Vertical(this->World.Position(corners[edge]),
@@ -176,9 +181,9 @@ private:
     }
     std::sort(this->OnFace.begin(), this->OnFace.end(),
       [](const PointOnFace& l, const PointOnFace& r) { return l.Node < r.Node; });
-    this->OnFace.erase(std::unique(this->OnFace.begin(), this->OnFace.end(),
-                         [](const PointOnFace& l, const PointOnFace& r)
-                         { return l.Node == r.Node; }),
+    this->OnFace.erase(
+      std::unique(this->OnFace.begin(), this->OnFace.end(),
+        [](const PointOnFace& l, const PointOnFace& r) { return l.Node == r.Node; }),
       this->OnFace.end());
   }
 
@@ -219,7 +224,8 @@ private:
 
   static constexpr std::size_t few = 16;
 
-  /** All points but the corners; many of them along a space-filling curve, so that each is found near the one before. */
+  /** All points but the corners; many of them along a space-filling curve, so that each is found
+   * near the one before. */
   const std::vector<std::size_t>& InsertionOrder()
   {
     this->Order.clear();
@@ -247,13 +253,11 @@ private:
           static_cast<std::uint32_t>(std::clamp((p[u] - low[0]) * scale, 0.0, 65535.0)),
           static_cast<std::uint32_t>(std::clamp((p[v] - low[1]) * scale, 0.0, 65535.0)));
       }
-      std::sort(this->Order.begin(), this->Order.end(),
-        [this](std::size_t l, std::size_t r)
-        {
-          return this->OnFace[l].Order != this->OnFace[r].Order
-            ? this->OnFace[l].Order < this->OnFace[r].Order
-            : l < r;
-        });
+      std::sort(this->Order.begin(), this->Order.end(), [this](std::size_t l, std::size_t r) {
+        return this->OnFace[l].Order != this->OnFace[r].Order
+          ? this->OnFace[l].Order < this->OnFace[r].Order
+          : l < r;
+      });
     }
     return this->Order;
   }
@@ -294,7 +298,8 @@ private:
     while (this->NodeOfLocal.size() <= index)
     {
       // A crossing of two contacts, made while they were drawn.
-      this->Out.Pending.push_back({ this->Mesh.Point(static_cast<int>(this->NodeOfLocal.size())), -1 });
+      this->Out.Pending.push_back(
+        { this->Mesh.Point(static_cast<int>(this->NodeOfLocal.size())), -1 });
       this->NodeOfLocal.push_back(
         FirstPending + static_cast<CornerRef>(this->Out.Pending.size() - 1));
       this->WhereOfLocal.push_back(Interior);
@@ -354,8 +359,8 @@ private:
       const CornerRef to = piece.Corners[(edge + 2) % 3];
       const bool isContact = cell.Constraints[edge] != FaceTriangulation::None;
       const bool isOnBoundary = cell.Neighbours[edge] == FaceTriangulation::None;
-      // An edge with an untouched end is no contact, and its faces are joined by that end. Regions that cover the same
-      // points are found by their boundaries, for which such edges matter too.
+      // An edge with an untouched end is no contact, and its faces are joined by that end. Regions
+      // that cover the same points are found by their boundaries, for which such edges matter too.
       if (isContact || isOnBoundary)
       {
         this->Out.EdgeUses.push_back({ from, to, region, isContact });
@@ -403,8 +408,7 @@ std::vector<WorkItem> ListWork(const Scene& scene, const ContactSet& contacts,
   std::vector<WorkItem> work;
   const std::vector<Contact>& all = contacts.Contacts;
   std::size_t contact = 0;
-  const auto takeUpTo = [&](std::int32_t endOfFaces)
-  {
+  const auto takeUpTo = [&](std::int32_t endOfFaces) {
     while (contact < all.size() && all[contact].Face < endOfFaces)
     {
       std::size_t end = contact;
@@ -439,9 +443,10 @@ std::vector<WorkItem> ListWork(const Scene& scene, const ContactSet& contacts,
   return work;
 }
 
-/** Nodes for all vertices of operands that are cut against themselves; empty where there are none. */
-std::vector<NodeId> MakeVertexNodes(const Scene& scene, const std::vector<std::uint8_t>& self,
-  PointTable& table, Executor& executor)
+/** Nodes for all vertices of operands that are cut against themselves; empty where there are none.
+ */
+std::vector<NodeId> MakeVertexNodes(
+  const Scene& scene, const std::vector<std::uint8_t>& self, PointTable& table, Executor& executor)
 {
   std::vector<NodeId> result;
   std::vector<ContactPoint> points;
@@ -470,8 +475,7 @@ std::vector<NodeId> MakeVertexNodes(const Scene& scene, const std::vector<std::u
 }
 
 /** Put the batches together; pending points become nodes. */
-std::vector<RegionKey> Merge(
-  std::vector<Batch>& batches, Arrangement& result, Executor& executor)
+std::vector<RegionKey> Merge(std::vector<Batch>& batches, Arrangement& result, Executor& executor)
 {
   std::vector<ContactPoint> pending;
   for (const Batch& batch : batches)
@@ -486,8 +490,7 @@ std::vector<RegionKey> Merge(
   {
     const auto firstPiece = static_cast<std::int32_t>(result.Pieces.size());
     const auto firstRegion = static_cast<std::int32_t>(result.Regions.size());
-    const auto settle = [&](CornerRef corner)
-    {
+    const auto settle = [&](CornerRef corner) {
       return corner < FirstPending ? corner
                                    : nodes[std::size_t(corner - FirstPending + firstPending)];
     };
@@ -587,21 +590,19 @@ Arrangement MakeArrangement(const Scene& scene, const ContactSet& contacts,
   const auto numberOfFaces = static_cast<std::int64_t>(work.size());
   const std::int64_t numberOfBatches = (numberOfFaces + facesPerBatch - 1) / facesPerBatch;
   std::vector<Batch> batches(static_cast<std::size_t>(numberOfBatches));
-  executor.For(numberOfBatches, 1,
-    [&](std::int64_t begin, std::int64_t end)
+  executor.For(numberOfBatches, 1, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t i = begin; i < end; ++i)
     {
-      for (std::int64_t i = begin; i < end; ++i)
+      FaceCutter cutter(
+        scene, contacts, nodes, result.Nodes, nodeOfVertex, self, batches[std::size_t(i)]);
+      const std::int64_t stop = std::min(numberOfFaces, (i + 1) * facesPerBatch);
+      for (std::int64_t face = i * facesPerBatch; face < stop && !monitor.Aborted(); ++face)
       {
-        FaceCutter cutter(
-          scene, contacts, nodes, result.Nodes, nodeOfVertex, self, batches[std::size_t(i)]);
-        const std::int64_t stop = std::min(numberOfFaces, (i + 1) * facesPerBatch);
-        for (std::int64_t face = i * facesPerBatch; face < stop && !monitor.Aborted(); ++face)
-        {
-          const WorkItem& item = work[std::size_t(face)];
-          cutter.Cut(item.Face, item.FirstContact, item.EndOfContacts);
-        }
+        const WorkItem& item = work[std::size_t(face)];
+        cutter.Cut(item.Face, item.FirstContact, item.EndOfContacts);
       }
-    });
+    }
+  });
 
   std::vector<RegionKey> keys = Merge(batches, result, executor);
   FindStacks(keys, result, executor);

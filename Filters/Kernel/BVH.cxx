@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BVH.cxx
- * @brief Building the hierarchy: a frame, a sort along the curve, and the levels from the lowest up.
+ * @brief Building the hierarchy: a frame, a sort along the curve, and the levels from the lowest
+ * up.
  */
 #include "BVH.h"
 
@@ -33,10 +34,7 @@ std::uint64_t Spread(std::uint64_t bits)
 }
 
 /** The binary order of magnitude of a box, points and huge boxes clamped. */
-int Magnitude(const Box& box)
-{
-  return std::ilogb(std::clamp(LongestSide(box), 1e-300, 1e300));
-}
+int Magnitude(const Box& box) { return std::ilogb(std::clamp(LongestSide(box), 1e-300, 1e300)); }
 
 } // namespace
 
@@ -58,7 +56,8 @@ void BVH::Build(const Box* boxes, std::int32_t count, Executor& executor)
   }
 }
 
-/** The frame has its origin in the middle of all boxes, which it scales into [-1, 1] by a power of two. */
+/** The frame has its origin in the middle of all boxes, which it scales into [-1, 1] by a power of
+ * two. */
 void BVH::ChooseFrame(const Box* boxes, std::int32_t count, Executor& executor)
 {
   struct Part
@@ -67,19 +66,20 @@ void BVH::ChooseFrame(const Box* boxes, std::int32_t count, Executor& executor)
     std::int64_t Magnitudes = 0;
   };
   std::vector<Part> parts(static_cast<std::size_t>((count - 1) / Grain + 1));
-  executor.For(static_cast<std::int64_t>(parts.size()), 1, [&](std::int64_t begin, std::int64_t end) {
-    for (std::int64_t part = begin; part < end; ++part)
-    {
-      Part sum{ boxes[part * Grain], 0 };
-      const std::int64_t last = std::min<std::int64_t>(count, (part + 1) * Grain);
-      for (std::int64_t i = part * Grain; i < last; ++i)
+  executor.For(
+    static_cast<std::int64_t>(parts.size()), 1, [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t part = begin; part < end; ++part)
       {
-        Enclose(sum.Bounds, boxes[i]);
-        sum.Magnitudes += Magnitude(boxes[i]);
+        Part sum{ boxes[part * Grain], 0 };
+        const std::int64_t last = std::min<std::int64_t>(count, (part + 1) * Grain);
+        for (std::int64_t i = part * Grain; i < last; ++i)
+        {
+          Enclose(sum.Bounds, boxes[i]);
+          sum.Magnitudes += Magnitude(boxes[i]);
+        }
+        parts[static_cast<std::size_t>(part)] = sum;
       }
-      parts[static_cast<std::size_t>(part)] = sum;
-    }
-  });
+    });
   Part all = parts.front();
   for (std::size_t part = 1; part < parts.size(); ++part)
   {
@@ -92,8 +92,7 @@ void BVH::ChooseFrame(const Box* boxes, std::int32_t count, Executor& executor)
     const double lower = all.Bounds.Lower[axis];
     const double upper = all.Bounds.Upper[axis];
     this->Origin[axis] = 0.5 * lower + 0.5 * upper;
-    halfSide =
-      std::max({ halfSide, this->Origin[axis] - lower, upper - this->Origin[axis] });
+    halfSide = std::max({ halfSide, this->Origin[axis] - lower, upper - this->Origin[axis] });
   }
   int exponent = 0;
   std::frexp(halfSide, &exponent);
@@ -102,8 +101,8 @@ void BVH::ChooseFrame(const Box* boxes, std::int32_t count, Executor& executor)
 }
 
 /**
- * Along the Morton curve through the boxes' middles, boxes much larger than usual apart from the others: one huge box
- * among small ones would make all the nodes above it huge.
+ * Along the Morton curve through the boxes' middles, boxes much larger than usual apart from the
+ * others: one huge box among small ones would make all the nodes above it huge.
  */
 void BVH::SortAlongCurve(const Box* boxes, std::int32_t count, Executor& executor)
 {
@@ -118,7 +117,8 @@ void BVH::SortAlongCurve(const Box* boxes, std::int32_t count, Executor& executo
       key <<= 3 * BitsAnAxis;
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        const double middle = (0.5 * box.Lower[axis] + 0.5 * box.Upper[axis] - this->Origin[axis]) * this->Scale;
+        const double middle =
+          (0.5 * box.Lower[axis] + 0.5 * box.Upper[axis] - this->Origin[axis]) * this->Scale;
         const double cell = std::min(std::max(0.0, (0.5 * middle + 0.5) * cells), cells - 1.0);
         key |= Spread(static_cast<std::uint64_t>(cell)) << axis;
       }
@@ -142,32 +142,35 @@ void BVH::FillLowestLevel(Executor& executor)
 {
   const std::size_t count = this->Numbers.size();
   std::vector<Node>& nodes = this->Levels.emplace_back((count + Width - 1) / Width);
-  executor.For(static_cast<std::int64_t>(nodes.size()), Grain / Width, [&](std::int64_t begin, std::int64_t end) {
-    for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-    {
-      for (int lane = 0; lane < Width; ++lane)
+  executor.For(static_cast<std::int64_t>(nodes.size()), Grain / Width,
+    [&](std::int64_t begin, std::int64_t end) {
+      for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
-        const std::size_t place = i * Width + static_cast<std::size_t>(lane);
-        nodes[i].Set(lane, place < count ? this->ToFrame(this->Boxes[place]) : Nothing());
+        for (int lane = 0; lane < Width; ++lane)
+        {
+          const std::size_t place = i * Width + static_cast<std::size_t>(lane);
+          nodes[i].Set(lane, place < count ? this->ToFrame(this->Boxes[place]) : Nothing());
+        }
       }
-    }
-  });
+    });
 }
 
 void BVH::FillNextLevel(Executor& executor)
 {
-  std::vector<Node>& nodes = this->Levels.emplace_back((this->Levels.back().size() + Width - 1) / Width);
+  std::vector<Node>& nodes =
+    this->Levels.emplace_back((this->Levels.back().size() + Width - 1) / Width);
   const std::vector<Node>& below = this->Levels[this->Levels.size() - 2];
-  executor.For(static_cast<std::int64_t>(nodes.size()), Grain / Width, [&](std::int64_t begin, std::int64_t end) {
-    for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-    {
-      for (int lane = 0; lane < Width; ++lane)
+  executor.For(static_cast<std::int64_t>(nodes.size()), Grain / Width,
+    [&](std::int64_t begin, std::int64_t end) {
+      for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
-        const std::size_t child = i * Width + static_cast<std::size_t>(lane);
-        nodes[i].Set(lane, child < below.size() ? below[child].Bounds() : Nothing());
+        for (int lane = 0; lane < Width; ++lane)
+        {
+          const std::size_t child = i * Width + static_cast<std::size_t>(lane);
+          nodes[i].Set(lane, child < below.size() ? below[child].Bounds() : Nothing());
+        }
       }
-    }
-  });
+    });
 }
 
 } // namespace sb

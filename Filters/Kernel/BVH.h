@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BVH.h
- * @brief A bounding volume hierarchy without pointers: boxes sorted along a space-filling curve, eight to a node.
+ * @brief A bounding volume hierarchy without pointers: boxes sorted along a space-filling curve,
+ * eight to a node.
  *
- * Node i of a level holds the boxes of the nodes 8i..8i+7 of the level below, and of the sorted boxes themselves on the
- * lowest level (a packed R-tree: Kamel and Faloutsos, On Packing R-trees, 1993). So building it is a sort and one linear
- * pass, both parallel. Nodes hold floats in a frame of their own, rounded outward: boxes far from the origin or of any
- * scale keep 24 significant bits of the hierarchy's extent, and a node is tested with eight lanes at a time.
+ * Node i of a level holds the boxes of the nodes 8i..8i+7 of the level below, and of the sorted
+ * boxes themselves on the lowest level (a packed R-tree: Kamel and Faloutsos, On Packing R-trees,
+ * 1993). So building it is a sort and one linear pass, both parallel. Nodes hold floats in a frame
+ * of their own, rounded outward: boxes far from the origin or of any scale keep 24 significant bits
+ * of the hierarchy's extent, and a node is tested with eight lanes at a time.
  */
 #ifndef sb_BVH_h
 #define sb_BVH_h
@@ -36,8 +38,8 @@ struct Box
 
 inline double LongestSide(const Box& box)
 {
-  return std::max({ box.Upper[0] - box.Lower[0], box.Upper[1] - box.Lower[1],
-    box.Upper[2] - box.Lower[2] });
+  return std::max(
+    { box.Upper[0] - box.Lower[0], box.Upper[1] - box.Lower[1], box.Upper[2] - box.Lower[2] });
 }
 
 /** Grow `box` until it holds `other`. */
@@ -77,9 +79,9 @@ public:
   static constexpr int Width = 8;
 
   /**
-   * Call visit(query, i) for each of the queries and each box i >= its First that meets it, in the order of the
-   * hierarchy. Queries near each other share most of the work. With First = i + 1 for box i itself as the query, each
-   * pair of boxes is found once.
+   * Call visit(query, i) for each of the queries and each box i >= its First that meets it, in the
+   * order of the hierarchy. Queries near each other share most of the work. With First = i + 1 for
+   * box i itself as the query, each pair of boxes is found once.
    */
   template <class Visit>
   void ForEachOverlap(const Query* queries, int numberOfQueries, Visit&& visit) const;
@@ -123,9 +125,9 @@ private:
   std::array<double, 3> Origin{};
   double Scale = 1.0; ///< a power of two, so that only the subtraction of the origin rounds
   int UsualMagnitude = 0; ///< mean binary exponent of the boxes' longest sides
-  std::vector<std::int32_t> Numbers;      ///< of the boxes, in their order along the curve
-  std::vector<Box> Boxes;                 ///< in that order too, for one cache line serves neighbours
-  std::vector<std::vector<Node>> Levels;  ///< [0] holds the boxes; the last has one node
+  std::vector<std::int32_t> Numbers; ///< of the boxes, in their order along the curve
+  std::vector<Box> Boxes; ///< in that order too, for one cache line serves neighbours
+  std::vector<std::vector<Node>> Levels; ///< [0] holds the boxes; the last has one node
 };
 
 inline void BVH::Node::Set(int lane, const FloatBox& box)
@@ -200,15 +202,12 @@ inline int BVH::LowestLane(unsigned lanes)
 #endif
 }
 
-inline BVH::FloatBox BVH::Nothing()
-{
-  return { { 3.0f, 3.0f, 3.0f }, { -3.0f, -3.0f, -3.0f } };
-}
+inline BVH::FloatBox BVH::Nothing() { return { { 3.0f, 3.0f, 3.0f }, { -3.0f, -3.0f, -3.0f } }; }
 
 inline BVH::FloatBox BVH::ToFrame(const Box& box) const
 {
-  // A float in [-1, 1] is 2^-25 off at most, so this slack takes the bound outward. Boxes that meet as doubles meet as
-  // floats wherever they are, because every step is monotone.
+  // A float in [-1, 1] is 2^-25 off at most, so this slack takes the bound outward. Boxes that meet
+  // as doubles meet as floats wherever they are, because every step is monotone.
   constexpr double slack = 1.0 / (1 << 24);
   FloatBox inFrame;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -228,7 +227,8 @@ void BVH::ForEachOverlap(const Query* queries, int numberOfQueries, Visit&& visi
   {
     return;
   }
-  // The queries make a node of their own. Its bounds find the boxes, each of which then meets all queries at once.
+  // The queries make a node of their own. Its bounds find the boxes, each of which then meets all
+  // queries at once.
   Node asking;
   for (int lane = 0; lane < Width; ++lane)
   {

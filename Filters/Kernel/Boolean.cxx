@@ -46,8 +46,7 @@ class BooleanRun
   }
 
 public:
-  BooleanRun(
-    const BooleanRequest& request, SeamPoints seams, Executor& executor, Monitor& monitor)
+  BooleanRun(const BooleanRequest& request, SeamPoints seams, Executor& executor, Monitor& monitor)
     : Request(request)
     , Seams(seams)
     , Threads(executor)
@@ -72,11 +71,7 @@ public:
       return this->Finish();
     }
     const Scene scene = this->Timed("Lattice", 0.1,
-      [&]
-      {
-        return Scene(
-          this->Request, ingested.Reports, ingested.Swapped, this->Threads);
-      });
+      [&] { return Scene(this->Request, ingested.Reports, ingested.Swapped, this->Threads); });
     std::vector<std::uint8_t> self(this->Request.Operands.size(), 0);
     if (this->Request.Op == Operation::Resolve)
     {
@@ -85,7 +80,8 @@ public:
         self[i] = !ingested.Open[i];
       }
     }
-    // Operands that turn out to overlap themselves where it matters are cut against themselves in another round.
+    // Operands that turn out to overlap themselves where it matters are cut against themselves in
+    // another round.
     while (!this->Attempt(scene, ingested, self) && !this->Watch.Aborted())
     {
     }
@@ -96,31 +92,24 @@ private:
   /** @return whether the result is final; else `self` has grown. */
   bool Attempt(const Scene& scene, const Ingested& ingested, std::vector<std::uint8_t>& self)
   {
-    const std::vector<TrianglePair> pairs = this->Timed("Near pairs", 0.15,
-      [&] { return this->FindPairs(scene, self); });
+    const std::vector<TrianglePair> pairs =
+      this->Timed("Near pairs", 0.15, [&] { return this->FindPairs(scene, self); });
     ContactSet contacts;
     std::vector<std::uint8_t> collapsed;
-    this->Timed("Contacts", 0.3,
-      [&]
-      {
-        collapsed = FindCollapsedFaces(scene, pairs);
-        contacts = FindContacts(scene, pairs, collapsed, this->Threads, this->Watch);
-        StitchCollapsedFaces(scene, collapsed, contacts);
-        return 0;
-      });
-    const Arrangement cuts = this->Timed("Cuts", 0.5,
-      [&]
-      {
-        return MakeArrangement(
-          scene, contacts, self, collapsed, this->Threads, this->Watch);
-      });
-    Classification classes = this->Timed("Winding numbers", 0.7,
-      [&]
-      {
-        return Classify(
-          { scene, cuts, this->Request.Op, self, ingested.Open, ingested.Rims, collapsed },
-          this->Threads, this->Watch);
-      });
+    this->Timed("Contacts", 0.3, [&] {
+      collapsed = FindCollapsedFaces(scene, pairs);
+      contacts = FindContacts(scene, pairs, collapsed, this->Threads, this->Watch);
+      StitchCollapsedFaces(scene, collapsed, contacts);
+      return 0;
+    });
+    const Arrangement cuts = this->Timed("Cuts", 0.5, [&] {
+      return MakeArrangement(scene, contacts, self, collapsed, this->Threads, this->Watch);
+    });
+    Classification classes = this->Timed("Winding numbers", 0.7, [&] {
+      return Classify(
+        { scene, cuts, this->Request.Op, self, ingested.Open, ingested.Rims, collapsed },
+        this->Threads, this->Watch);
+    });
     if (this->Watch.Aborted())
     {
       return true;
@@ -137,14 +126,11 @@ private:
       }
     }
     this->Result.NumberOfContacts = contacts.NumberOfPairs;
-    this->Timed("Output", 0.9,
-      [&]
-      {
-        this->Result.Intersection = JoinCurves(scene, cuts);
-        AssembleOutput(
-          scene, cuts, std::move(classes), this->Seams, this->Result, this->Threads);
-        return 0;
-      });
+    this->Timed("Output", 0.9, [&] {
+      this->Result.Intersection = JoinCurves(scene, cuts);
+      AssembleOutput(scene, cuts, std::move(classes), this->Seams, this->Result, this->Threads);
+      return 0;
+    });
     return true;
   }
 
@@ -153,9 +139,9 @@ private:
     std::vector<BroadPhaseSurface> surfaces;
     for (std::int32_t i = 0; i < scene.NumberOfOperands(); ++i)
     {
-      surfaces.push_back({ scene.NumberOfVertices() > 0 ? scene.Position(0) +
-              3 * std::ptrdiff_t(scene.FirstVertex(i))
-                                                        : nullptr,
+      surfaces.push_back({ scene.NumberOfVertices() > 0
+          ? scene.Position(0) + 3 * std::ptrdiff_t(scene.FirstVertex(i))
+          : nullptr,
         scene.Mesh(i).Triangles, scene.Mesh(i).NumberOfTriangles, scene.Bounds(i),
         self[std::size_t(i)] != 0 });
     }

@@ -2,16 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BroadPhase.cxx
- * @brief From all triangles to candidates (in the other surfaces' boxes), to survivors (near another surface), to pairs.
+ * @brief From all triangles to candidates (in the other surfaces' boxes), to survivors (near
+ * another surface), to pairs.
  *
- * 1. Surfaces: the *region* of a surface encloses what its box has in common with the others' boxes.
- * 2. Points: each gets the code of its cell in a grid over the regions, and marks the cell (OccupancyGrid.h).
- * 3. Triangles, first pass: where the box touches more cells than the corners are in, it marks them all. The grid is
- *    chosen so that this is rare, and so most of the work is done for points, which are fewer and lie in a row.
+ * 1. Surfaces: the *region* of a surface encloses what its box has in common with the others'
+ * boxes.
+ * 2. Points: each gets the code of its cell in a grid over the regions, and marks the cell
+ * (OccupancyGrid.h).
+ * 3. Triangles, first pass: where the box touches more cells than the corners are in, it marks them
+ * all. The grid is chosen so that this is rare, and so most of the work is done for points, which
+ * are fewer and lie in a row.
  * 4. Triangles, second pass: those survive that touch a cell which several surfaces marked.
- * 5. Pairs: of two surfaces whose boxes meet, the one with fewer survivors goes into the hierarchy, and the other's ask.
+ * 5. Pairs: of two surfaces whose boxes meet, the one with fewer survivors goes into the hierarchy,
+ * and the other's ask.
  *
- * Memory is linear: 4 bytes a point, some bytes a triangle for the grid, 300 a survivor in the hierarchy, 32 a pair.
+ * Memory is linear: 4 bytes a point, some bytes a triangle for the grid, 300 a survivor in the
+ * hierarchy, 32 a pair.
  */
 #include "BroadPhase.h"
 
@@ -42,7 +48,8 @@ constexpr double MostCells = 2.0;
 constexpr double MostMarks = 2.0;
 constexpr int MostBits = 23;
 
-/** A triangle that touches more cells is large, and marks only once all the large ones are known. */
+/** A triangle that touches more cells is large, and marks only once all the large ones are known.
+ */
 constexpr std::int64_t MostCellsOfSmall = 64;
 
 struct Survivor
@@ -51,16 +58,17 @@ struct Survivor
   std::int32_t Triangle;
 };
 
-/** A range of one surface's triangles, the unit of parallel work, and what the passes find in it. */
+/** A range of one surface's triangles, the unit of parallel work, and what the passes find in it.
+ */
 struct Chunk
 {
   std::int32_t Surface;
   std::int64_t Begin;
   std::int64_t End;
   std::int32_t HighestPoint = -1;
-  bool Inside = false;            ///< whether a corner is inside the surface's region
+  bool Inside = false; ///< whether a corner is inside the surface's region
   std::vector<std::int32_t> Wide; ///< triangles that touch more cells than their corners are in
-  std::vector<CellRange> Large;   ///< the cells of those with too many to be marked at once
+  std::vector<CellRange> Large; ///< the cells of those with too many to be marked at once
   std::vector<std::int32_t> Survivors;
 };
 
@@ -91,10 +99,7 @@ Box EmptyBox()
   return { { infinity, infinity, infinity }, { -infinity, -infinity, -infinity } };
 }
 
-bool IsEmpty(const Box& box)
-{
-  return box.Lower[0] > box.Upper[0];
-}
+bool IsEmpty(const Box& box) { return box.Lower[0] > box.Upper[0]; }
 
 Box CommonPart(const Box& a, const Box& b)
 {
@@ -204,8 +209,8 @@ public:
   /** The finest grid that costs no more than MostCells and MostMarks for each candidate. */
   GridShape FinestLinearGrid() const
   {
-    // Cells need not be smaller than the triangles, but are not flattened with them at will: where all triangles lie
-    // flat, the surfaces still have to be told apart across the layers.
+    // Cells need not be smaller than the triangles, but are not flattened with them at will: where
+    // all triangles lie flat, the surfaces still have to be told apart across the layers.
     double longest = 0.0;
     double reach = 0.0;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -220,7 +225,8 @@ public:
         std::max({ this->MeanSides[axis], longest / 8, reach * 1e-6, 1e-300 });
       this->SetBits(grid, axis, 3);
     }
-    // Halve the cells along the axis on which they are longest for the triangles, as long as that is affordable.
+    // Halve the cells along the axis on which they are longest for the triangles, as long as that
+    // is affordable.
     for (std::array<bool, 3> open{ true, true, true };;)
     {
       std::size_t longestAxis = 3;
@@ -289,8 +295,7 @@ private:
   {
     const double reach = this->Region.Upper[axis] - this->Region.Lower[axis];
     grid.Bits[axis] = bits;
-    grid.Sides[axis] =
-      std::max(reach / ((1 << bits) - GridShape::Spare), grid.SmallestSides[axis]);
+    grid.Sides[axis] = std::max(reach / ((1 << bits) - GridShape::Spare), grid.SmallestSides[axis]);
   }
 
   bool IsAffordable(const Grid& grid) const
@@ -341,7 +346,8 @@ template <class Word>
 class SurvivorSearch
 {
 public:
-  SurvivorSearch(const Surfaces& surfaces, const std::vector<Box>& regions, Executor& executor, Monitor& monitor)
+  SurvivorSearch(
+    const Surfaces& surfaces, const std::vector<Box>& regions, Executor& executor, Monitor& monitor)
     : AllSurfaces(surfaces)
     , Host(executor)
     , Ear(monitor)
@@ -383,26 +389,29 @@ private:
   template <class Item, class Body>
   void ForEach(std::vector<Item>& items, Body&& body)
   {
-    this->Host.For(static_cast<std::int64_t>(items.size()), 1, [&](std::int64_t begin, std::int64_t end) {
-      for (std::int64_t i = begin; i < end && !this->Ear.Aborted(); ++i)
-      {
-        body(items[static_cast<std::size_t>(i)]);
-      }
-    });
+    this->Host.For(
+      static_cast<std::int64_t>(items.size()), 1, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end && !this->Ear.Aborted(); ++i)
+        {
+          body(items[static_cast<std::size_t>(i)]);
+        }
+      });
   }
 
   /** The mark of a surface; one that is to meet itself marks as two. */
   Word MarkOf(std::size_t surface) const
   {
-    return this->AllSurfaces[surface].Self ? OccupancyGrid<Word>::Everybody
-                                           : OccupancyGrid<Word>::MarkOf(static_cast<std::int32_t>(surface));
+    return this->AllSurfaces[surface].Self
+      ? OccupancyGrid<Word>::Everybody
+      : OccupancyGrid<Word>::MarkOf(static_cast<std::int32_t>(surface));
   }
 
   /** How many points the surfaces' triangles refer to; blocks of them. */
   void MakePointBlocks()
   {
     this->ForEach(this->Chunks, [this](Chunk& chunk) {
-      const std::int32_t* const ids = this->AllSurfaces[static_cast<std::size_t>(chunk.Surface)].Triangles;
+      const std::int32_t* const ids =
+        this->AllSurfaces[static_cast<std::size_t>(chunk.Surface)].Triangles;
       chunk.HighestPoint = *std::max_element(ids + 3 * chunk.Begin, ids + 3 * chunk.End);
     });
     std::vector<std::int64_t> numbersOfPoints(this->AllSurfaces.size(), 0);
@@ -418,13 +427,17 @@ private:
       total += numbersOfPoints[surface];
       for (std::int64_t begin = 0; begin < numbersOfPoints[surface]; begin += ChunkSize)
       {
-        this->Blocks.push_back({ surface, begin, std::min(begin + ChunkSize, numbersOfPoints[surface]), false });
+        this->Blocks.push_back(
+          { surface, begin, std::min(begin + ChunkSize, numbersOfPoints[surface]), false });
       }
     }
     this->Codes.reset(new std::uint32_t[static_cast<std::size_t>(total)]);
   }
 
-  std::uint32_t* CodesOf(std::size_t surface) const { return this->Codes.get() + this->FirstCodes[surface]; }
+  std::uint32_t* CodesOf(std::size_t surface) const
+  {
+    return this->Codes.get() + this->FirstCodes[surface];
+  }
 
   void MarkPoints(PointBlock& block)
   {
@@ -448,7 +461,8 @@ private:
       {
         const double coordinate = points[3 * i + static_cast<std::int64_t>(axis)];
         cell[axis] = shape.Cell(coordinate, axis, before[axis], behind[axis]);
-        isInside = isInside & (cell[axis] >= inside.First[axis]) & (cell[axis] <= inside.Last[axis]);
+        isInside =
+          isInside & (cell[axis] >= inside.First[axis]) & (cell[axis] <= inside.Last[axis]);
       }
       const std::uint32_t code = shape.Code(cell);
       codes[i] = isInside ? code | Flag : code;
@@ -514,8 +528,8 @@ private:
   }
 
   /**
-   * Mark for the large triangles, each at the finest level where it touches few enough cells for all of them to stay
-   * linear in the triangles. Returns that number of cells.
+   * Mark for the large triangles, each at the finest level where it touches few enough cells for
+   * all of them to stay linear in the triangles. Returns that number of cells.
    */
   std::int64_t MarkLarge()
   {
@@ -538,8 +552,8 @@ private:
     this->ForEach(this->Chunks, [this, mostCells](const Chunk& chunk) {
       for (const CellRange& cells : chunk.Large)
       {
-        this->Grid.MarkRange(cells, cells.LevelFor(mostCells),
-          this->MarkOf(static_cast<std::size_t>(chunk.Surface)));
+        this->Grid.MarkRange(
+          cells, cells.LevelFor(mostCells), this->MarkOf(static_cast<std::size_t>(chunk.Surface)));
       }
     });
     this->Grid.HandDown(this->Host);
@@ -560,7 +574,8 @@ private:
     }
   }
 
-  /** Wide triangles that touch more than `mostCells` cells survive unasked: there may be too many of them to ask. */
+  /** Wide triangles that touch more than `mostCells` cells survive unasked: there may be too many
+   * of them to ask. */
   void Keep(Chunk& chunk, std::int64_t mostCells) const
   {
     const std::size_t surface = static_cast<std::size_t>(chunk.Surface);
@@ -640,11 +655,12 @@ std::vector<Survivor> FindSurvivors(const Surfaces& surfaces, const Neighbourhoo
     : SurvivorSearch<std::uint32_t>(surfaces, regions, executor, monitor).Run();
 }
 
-/** What a surface does in step 5. Its survivors are in a row, and so are those of them in the tree. */
+/** What a surface does in step 5. Its survivors are in a row, and so are those of them in the tree.
+ */
 struct Role
 {
-  std::int32_t Begin = 0;     ///< its first survivor
-  std::int32_t End = 0;       ///< one past its last
+  std::int32_t Begin = 0; ///< its first survivor
+  std::int32_t End = 0; ///< one past its last
   std::int32_t TreeBegin = 0; ///< how many boxes of the surfaces before it are in the tree
   bool Self = false;
   bool InTree = false;
@@ -653,8 +669,9 @@ struct Role
   std::int32_t NumberOfSurvivors() const { return this->End - this->Begin; }
 
   /**
-   * The first box in the tree to ask survivor i about. Each pair has to be found from one side only: where both surfaces
-   * are in the tree, from the lower survivor; where one is, from the other.
+   * The first box in the tree to ask survivor i about. Each pair has to be found from one side
+   * only: where both surfaces are in the tree, from the lower survivor; where one is, from the
+   * other.
    */
   std::int32_t FirstBox(std::int32_t i) const
   {
@@ -681,7 +698,8 @@ std::vector<Role> AssignRoles(const Surfaces& surfaces, const Neighbourhood& nei
     roles[i].InTree = roles[i].Asks = roles[i].Self = surfaces[i].Self;
   }
   neighbourhood.ForEachPair([&](std::size_t i, std::size_t j, const Box&) {
-    (roles[i].NumberOfSurvivors() <= roles[j].NumberOfSurvivors() ? roles[i] : roles[j]).InTree = true;
+    (roles[i].NumberOfSurvivors() <= roles[j].NumberOfSurvivors() ? roles[i] : roles[j]).InTree =
+      true;
   });
   neighbourhood.ForEachPair([&](std::size_t i, std::size_t j, const Box&) {
     (roles[j].InTree ? roles[i] : roles[j]).Asks = true;
@@ -727,15 +745,17 @@ public:
   std::vector<std::uint64_t> Run(Executor& executor, Monitor& monitor) const
   {
     const std::int64_t count = static_cast<std::int64_t>(this->Survivors.size());
-    std::vector<std::vector<std::uint64_t>> found(static_cast<std::size_t>((count + Grain - 1) / Grain));
-    executor.For(static_cast<std::int64_t>(found.size()), 1, [&](std::int64_t begin, std::int64_t end) {
-      for (std::int64_t block = begin; block < end && !monitor.Aborted(); ++block)
-      {
-        this->Ask(static_cast<std::int32_t>(block * Grain),
-          static_cast<std::int32_t>(std::min(count, (block + 1) * Grain)),
-          found[static_cast<std::size_t>(block)]);
-      }
-    });
+    std::vector<std::vector<std::uint64_t>> found(
+      static_cast<std::size_t>((count + Grain - 1) / Grain));
+    executor.For(
+      static_cast<std::int64_t>(found.size()), 1, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t block = begin; block < end && !monitor.Aborted(); ++block)
+        {
+          this->Ask(static_cast<std::int32_t>(block * Grain),
+            static_cast<std::int32_t>(std::min(count, (block + 1) * Grain)),
+            found[static_cast<std::size_t>(block)]);
+        }
+      });
     return Concatenated(found);
   }
 
@@ -753,7 +773,8 @@ private:
     return BoxOf(this->AllSurfaces[static_cast<std::size_t>(survivor.Surface)], survivor.Triangle);
   }
 
-  /** Survivors that ask together: in mesh order those that follow each other mostly lie near each other. */
+  /** Survivors that ask together: in mesh order those that follow each other mostly lie near each
+   * other. */
   struct Group
   {
     std::array<BVH::Query, BVH::Width> Queries;
@@ -807,16 +828,16 @@ private:
 
   void Ask(const Group& group, std::vector<std::uint64_t>& found) const
   {
-    this->Tree.ForEachOverlap(
-      group.Queries.data(), group.Size, [&](int query, std::int32_t box) {
-        const std::int32_t i = group.Survivors[static_cast<std::size_t>(query)];
-        const std::int32_t j = this->InTree[static_cast<std::size_t>(box)];
-        const std::uint64_t lower = static_cast<std::uint32_t>(std::min(i, j));
-        found.push_back(lower << 32 | static_cast<std::uint32_t>(std::max(i, j)));
-      });
+    this->Tree.ForEachOverlap(group.Queries.data(), group.Size, [&](int query, std::int32_t box) {
+      const std::int32_t i = group.Survivors[static_cast<std::size_t>(query)];
+      const std::int32_t j = this->InTree[static_cast<std::size_t>(box)];
+      const std::uint64_t lower = static_cast<std::uint32_t>(std::min(i, j));
+      found.push_back(lower << 32 | static_cast<std::uint32_t>(std::max(i, j)));
+    });
   }
 
-  static std::vector<std::uint64_t> Concatenated(const std::vector<std::vector<std::uint64_t>>& parts)
+  static std::vector<std::uint64_t> Concatenated(
+    const std::vector<std::vector<std::uint64_t>>& parts)
   {
     std::size_t count = 0;
     for (const std::vector<std::uint64_t>& part : parts)

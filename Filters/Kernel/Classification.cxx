@@ -19,13 +19,14 @@ namespace
 
 enum class FaceState : std::uint8_t
 {
-  Far,       ///< outside all other operands' boxes
+  Far, ///< outside all other operands' boxes
   Untouched, ///< near others, but no contact
-  Cut,       ///< its regions decide
-  Collapsed  ///< has no area and takes no part
+  Cut, ///< its regions decide
+  Collapsed ///< has no area and takes no part
 };
 
-/** What the two sides of a patch, met across a wedge, have to do with each other: their winding numbers are equal. */
+/** What the two sides of a patch, met across a wedge, have to do with each other: their winding
+ * numbers are equal. */
 struct Relation
 {
   std::int32_t PatchA;
@@ -43,18 +44,19 @@ struct Relation
 struct Patch
 {
   std::int32_t Operand;
-  std::int32_t Face;   ///< one of its faces
+  std::int32_t Face; ///< one of its faces
   std::int32_t Region; ///< if that face is cut, one of its regions on it, else -1
   bool HasRim = false; ///< a sheet ends here
   bool FrontInside = false;
   bool BehindInside = false;
 };
 
-/** A step of a walk through a tree of patches that comes by every patch once and takes back all changes on the way. */
+/** A step of a walk through a tree of patches that comes by every patch once and takes back all
+ * changes on the way. */
 struct Step
 {
   std::int32_t Patch; ///< entered, or -1 when going back
-  std::int32_t Raised;  ///< operand whose winding number goes up by one, or -1
+  std::int32_t Raised; ///< operand whose winding number goes up by one, or -1
   std::int32_t Lowered; ///< operand whose winding number goes down by one, or -1
 };
 
@@ -68,8 +70,8 @@ struct Tree
 {
   std::size_t FirstStep;
   std::size_t EndOfSteps;
-  std::int32_t Probed;                ///< the patch that queries are asked at
-  std::vector<KnownWinding> AtRoot;   ///< in front of the first patch, where not 0
+  std::int32_t Probed; ///< the patch that queries are asked at
+  std::vector<KnownWinding> AtRoot; ///< in front of the first patch, where not 0
 };
 
 /** How many faces a thread takes at a time. */
@@ -133,13 +135,14 @@ private:
     return false;
   }
 
-  // --- patches -----------------------------------------------------------------------------------------------------
+  // --- patches
+  // -----------------------------------------------------------------------------------------------------
 
-  /** The boxes of other operands that an operand's faces have to be looked at for; nothing if all faces have to be. */
+  /** The boxes of other operands that an operand's faces have to be looked at for; nothing if all
+   * faces have to be. */
   std::vector<std::array<double, 6>> NearBoxes(std::int32_t operand) const
   {
-    const auto meets = [](const std::array<double, 6>& a, const std::array<double, 6>& b)
-    {
+    const auto meets = [](const std::array<double, 6>& a, const std::array<double, 6>& b) {
       return a[0] <= b[1] && b[0] <= a[1] && a[2] <= b[3] && b[2] <= a[3] && a[4] <= b[5] &&
         b[4] <= a[5];
     };
@@ -207,9 +210,8 @@ private:
     const std::int64_t count = this->World.FirstFace(operand + 1) - first;
     std::vector<std::vector<std::int32_t>> blocks(
       static_cast<std::size_t>((count + BlockSize - 1) / BlockSize));
-    this->Threads.For(static_cast<std::int64_t>(blocks.size()), 1,
-      [&](std::int64_t begin, std::int64_t end)
-      {
+    this->Threads.For(
+      static_cast<std::int64_t>(blocks.size()), 1, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t block = begin; block < end; ++block)
         {
           const std::int64_t stop = std::min(count, (block + 1) * BlockSize);
@@ -230,8 +232,8 @@ private:
     }
   }
 
-  bool MeetsAny(std::int32_t operand, std::int32_t face,
-    const std::vector<std::array<double, 6>>& boxes) const
+  bool MeetsAny(
+    std::int32_t operand, std::int32_t face, const std::vector<std::array<double, 6>>& boxes) const
   {
     const std::array<std::int32_t, 3> corners = this->World.Corners(operand, face);
     const double* a = this->World.Position(corners[0]);
@@ -263,14 +265,12 @@ private:
     this->Sets.Reset(
       this->World.NumberOfVertices() + static_cast<std::int32_t>(this->Cuts.Regions.size()));
     // Operands share no vertex, so their sets can be joined at the same time.
-    this->Threads.For(this->NumberOfOperands, 1,
-      [&](std::int64_t begin, std::int64_t end)
+    this->Threads.For(this->NumberOfOperands, 1, [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t i = begin; i < end; ++i)
       {
-        for (std::int64_t i = begin; i < end; ++i)
-        {
-          this->JoinUntouchedFaces(static_cast<std::int32_t>(i));
-        }
-      });
+        this->JoinUntouchedFaces(static_cast<std::int32_t>(i));
+      }
+    });
     for (const Piece& piece : this->Cuts.Pieces)
     {
       for (const CornerRef corner : piece.Corners)
@@ -305,8 +305,8 @@ private:
     {
       std::size_t end = first;
       bool isContact = false;
-      while (end < uses.size() && uses[end].Low == uses[first].Low &&
-        uses[end].High == uses[first].High)
+      while (
+        end < uses.size() && uses[end].Low == uses[first].Low && uses[end].High == uses[first].High)
       {
         isContact = isContact || uses[end].IsContact;
         ++end;
@@ -327,7 +327,8 @@ private:
     }
   }
 
-  /** Whether sides do not simply continue across a free edge: of an operand cut against itself, where it is not manifold. */
+  /** Whether sides do not simply continue across a free edge: of an operand cut against itself,
+   * where it is not manifold. */
   bool IsSingularEdge(std::size_t first, std::size_t end) const
   {
     const std::vector<EdgeUse>& uses = this->Cuts.EdgeUses;
@@ -373,17 +374,16 @@ private:
     std::int32_t Face;
   };
 
-  /** The sets that an operand's untouched faces are in, block by block, each with a face: repeated only where the set changes
-   *  from one face to the next. */
+  /** The sets that an operand's untouched faces are in, block by block, each with a face: repeated
+   * only where the set changes from one face to the next. */
   std::vector<std::vector<SetAndFace>> ListSets(std::int32_t operand) const
   {
     const std::vector<std::int32_t>& near = this->Near[std::size_t(operand)];
     const auto count = static_cast<std::int64_t>(near.size());
     std::vector<std::vector<SetAndFace>> blocks(
       static_cast<std::size_t>((count + BlockSize - 1) / BlockSize));
-    this->Threads.For(static_cast<std::int64_t>(blocks.size()), 1,
-      [&](std::int64_t begin, std::int64_t end)
-      {
+    this->Threads.For(
+      static_cast<std::int64_t>(blocks.size()), 1, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t block = begin; block < end; ++block)
         {
           std::vector<SetAndFace>& list = blocks[std::size_t(block)];
@@ -438,12 +438,12 @@ private:
 
   void MarkRimOfCutFace(std::int32_t face, std::int32_t edge)
   {
-    const auto isOnEdge = [&](Location where)
-    { return where == 3 + edge || where == edge || where == (edge + 1) % 3; };
+    const auto isOnEdge = [&](Location where) {
+      return where == 3 + edge || where == edge || where == (edge + 1) % 3;
+    };
     const auto cut = std::lower_bound(this->Cuts.Faces.begin(), this->Cuts.Faces.end(), face,
       [](const CutFace& l, std::int32_t r) { return l.Face < r; });
-    const std::int32_t end =
-      this->Cuts.EndOfPieces(std::size_t(cut - this->Cuts.Faces.begin()));
+    const std::int32_t end = this->Cuts.EndOfPieces(std::size_t(cut - this->Cuts.Faces.begin()));
     for (std::int32_t i = cut->FirstPiece; i < end; ++i)
     {
       const Piece& piece = this->Cuts.Pieces[std::size_t(i)];
@@ -459,7 +459,8 @@ private:
     }
   }
 
-  /** Whether an edge of the arrangement lies on a contact: a rim there ends on another surface, and not in space. */
+  /** Whether an edge of the arrangement lies on a contact: a rim there ends on another surface, and
+   * not in space. */
   bool IsContactEdge(CornerRef a, CornerRef b) const
   {
     const EdgeUse wanted{ std::min(a, b), std::max(a, b), -1, false, false };
@@ -475,7 +476,8 @@ private:
     return false;
   }
 
-  // --- relations ---------------------------------------------------------------------------------------------------
+  // --- relations
+  // ---------------------------------------------------------------------------------------------------
 
   void RelateAcrossContacts()
   {
@@ -484,20 +486,18 @@ private:
     const std::int64_t numberOfBatches = (numberOfEdges + edgesPerBatch - 1) / edgesPerBatch;
     std::vector<std::vector<Relation>> relations(static_cast<std::size_t>(numberOfBatches));
     std::vector<std::vector<SheetVote>> votes(static_cast<std::size_t>(numberOfBatches));
-    this->Threads.For(numberOfBatches, 1,
-      [&](std::int64_t begin, std::int64_t end)
+    this->Threads.For(numberOfBatches, 1, [&](std::int64_t begin, std::int64_t end) {
+      RadialOrder order(this->World, this->Cuts.Nodes);
+      for (std::int64_t batch = begin; batch < end; ++batch)
       {
-        RadialOrder order(this->World, this->Cuts.Nodes);
-        for (std::int64_t batch = begin; batch < end; ++batch)
+        const std::int64_t stop = std::min(numberOfEdges, (batch + 1) * edgesPerBatch);
+        for (std::int64_t i = batch * edgesPerBatch; i < stop && !this->Watch.Aborted(); ++i)
         {
-          const std::int64_t stop = std::min(numberOfEdges, (batch + 1) * edgesPerBatch);
-          for (std::int64_t i = batch * edgesPerBatch; i < stop && !this->Watch.Aborted(); ++i)
-          {
-            this->RelateAround(this->ContactEdges[std::size_t(i)], order,
-              relations[std::size_t(batch)], votes[std::size_t(batch)]);
-          }
+          this->RelateAround(this->ContactEdges[std::size_t(i)], order,
+            relations[std::size_t(batch)], votes[std::size_t(batch)]);
         }
-      });
+      }
+    });
 
     DisjointSets connected(static_cast<std::int32_t>(this->Patches.size()));
     for (const std::vector<Relation>& batch : relations)
@@ -553,7 +553,8 @@ private:
     }
   }
 
-  // --- winding numbers ---------------------------------------------------------------------------------------------
+  // --- winding numbers
+  // ---------------------------------------------------------------------------------------------
 
   bool IsOpen(std::int32_t operand) const { return this->In.Open[std::size_t(operand)] != 0; }
   bool IsSelf(std::int32_t operand) const { return this->In.Self[std::size_t(operand)] != 0; }
@@ -582,7 +583,8 @@ private:
     next.assign(firstLink.begin(), firstLink.end() - 1);
 
     std::vector<std::uint8_t> planted(this->Patches.size(), 0);
-    std::vector<std::pair<std::int32_t, Step>> path; // the patch, and the step that takes its entering back
+    std::vector<std::pair<std::int32_t, Step>>
+      path; // the patch, and the step that takes its entering back
     for (std::size_t root = 0; root < this->Patches.size(); ++root)
     {
       if (planted[root])
@@ -608,7 +610,8 @@ private:
           continue;
         }
         planted[std::size_t(link.PatchB)] = 1;
-        // In front of B: what is in front of A, one more if the sides meet behind A, one less if behind B.
+        // In front of B: what is in front of A, one more if the sides meet behind A, one less if
+        // behind B.
         const std::int32_t up = link.BehindA ? this->Patches[here].Operand : -1;
         const std::int32_t down =
           link.BehindB ? this->Patches[std::size_t(link.PatchB)].Operand : -1;
@@ -642,13 +645,15 @@ private:
   }
 
   /**
-   * Relations outside the forest have to agree with it; where one does not, an operand contradicts itself. To compare
-   * whole vectors of winding numbers, each is represented by one sum of random weights.
+   * Relations outside the forest have to agree with it; where one does not, an operand contradicts
+   * itself. To compare whole vectors of winding numbers, each is represented by one sum of random
+   * weights.
    */
   void CheckCycles()
   {
-    const auto weight = [this](std::int32_t operand)
-    { return operand < 0 || this->IsOpen(operand) ? 0 : Mix(std::uint64_t(operand) + 1); };
+    const auto weight = [this](std::int32_t operand) {
+      return operand < 0 || this->IsOpen(operand) ? 0 : Mix(std::uint64_t(operand) + 1);
+    };
     std::vector<std::uint64_t> sums(this->Patches.size(), 0);
     std::uint64_t sum = 0;
     for (const Step& step : this->Steps)
@@ -681,8 +686,8 @@ private:
     std::size_t Tree;
     std::int32_t Operand;
     int RelativeAtProbe; ///< winding number in front of the probed patch, less that at the root
-    bool IsCheck;        ///< the answer has been assumed
-    int Assumed;         ///< winding number at the root
+    bool IsCheck; ///< the answer has been assumed
+    int Assumed; ///< winding number at the root
   };
 
   void FindWindingsAtRoots()
@@ -699,38 +704,36 @@ private:
       std::vector<std::int32_t> present;
       bool probeIsWhole = this->Patches[std::size_t(tree.Probed)].Region < 0;
       std::vector<int> relativeAtProbe(relative);
-      this->Walk(tree, relative,
-        [&](std::int32_t p)
+      this->Walk(tree, relative, [&](std::int32_t p) {
+        const Patch& patch = this->Patches[std::size_t(p)];
+        const auto operand = std::size_t(patch.Operand);
+        if (!probeIsWhole && patch.Region < 0)
         {
-          const Patch& patch = this->Patches[std::size_t(p)];
-          const auto operand = std::size_t(patch.Operand);
-          if (!probeIsWhole && patch.Region < 0)
+          // A face that nothing touches is the safest place to ask at.
+          probeIsWhole = true;
+          tree.Probed = p;
+          relativeAtProbe = relative;
+        }
+        this->CheckFarPatch(p, relative, stamp, lastSeen, atRoot, lastChecked);
+        if (this->IsOpen(patch.Operand))
+        {
+          return;
+        }
+        if (lastSeen[operand] != stamp)
+        {
+          lastSeen[operand] = stamp;
+          atRoot[operand] = -relative[operand];
+          present.push_back(patch.Operand);
+          if (!this->IsSelf(patch.Operand) && atRoot[operand] != 0)
           {
-            // A face that nothing touches is the safest place to ask at.
-            probeIsWhole = true;
-            tree.Probed = p;
-            relativeAtProbe = relative;
+            tree.AtRoot.push_back({ patch.Operand, atRoot[operand] });
           }
-          this->CheckFarPatch(p, relative, stamp, lastSeen, atRoot, lastChecked);
-          if (this->IsOpen(patch.Operand))
-          {
-            return;
-          }
-          if (lastSeen[operand] != stamp)
-          {
-            lastSeen[operand] = stamp;
-            atRoot[operand] = -relative[operand];
-            present.push_back(patch.Operand);
-            if (!this->IsSelf(patch.Operand) && atRoot[operand] != 0)
-            {
-              tree.AtRoot.push_back({ patch.Operand, atRoot[operand] });
-            }
-          }
-          else if (!this->IsSelf(patch.Operand) && atRoot[operand] != -relative[operand])
-          {
-            this->Result.SelfIntersecting[operand] = 1;
-          }
-        });
+        }
+        else if (!this->IsSelf(patch.Operand) && atRoot[operand] != -relative[operand])
+        {
+          this->Result.SelfIntersecting[operand] = 1;
+        }
+      });
       for (const std::int32_t operand : present)
       {
         const auto index = std::size_t(operand);
@@ -753,9 +756,9 @@ private:
   }
 
   /**
-   * Outside of an operand's box its winding number is 0. Where a patch lies there whose number of that operand follows
-   * from the assumption that it is clean, this checks the assumption. Only for few operands, as each patch is compared
-   * with each operand; else a query is made.
+   * Outside of an operand's box its winding number is 0. Where a patch lies there whose number of
+   * that operand follows from the assumption that it is clean, this checks the assumption. Only for
+   * few operands, as each patch is compared with each operand; else a query is made.
    */
   void CheckFarPatch(std::int32_t p, const std::vector<int>& relative, std::int32_t stamp,
     const std::vector<std::int32_t>& lastSeen, const std::vector<int>& atRoot,
@@ -810,10 +813,9 @@ private:
       std::vector<WindingQuery> queries;
       for (const Question& question : questions)
       {
-        const Patch& patch =
-          this->Patches[std::size_t(this->Trees[question.Tree].Probed)];
-        queries.push_back({ placement.Place(patch.Face, patch.Region, attempt), question.Operand, 0,
-          false });
+        const Patch& patch = this->Patches[std::size_t(this->Trees[question.Tree].Probed)];
+        queries.push_back(
+          { placement.Place(patch.Face, patch.Region, attempt), question.Operand, 0, false });
       }
       AnswerQueries(this->World, this->In.Collapsed, queries, this->Threads);
       std::vector<Question> again;
@@ -828,8 +830,8 @@ private:
         const Probe& line = queries[i].Line;
         const Patch& patch = this->Patches[std::size_t(this->Trees[question.Tree].Probed)];
         const bool frontIsUp = placement.NormalSign(line.Face) > 0;
-        const int inFront = queries[i].Winding -
-          (!frontIsUp && patch.Operand == question.Operand ? 1 : 0);
+        const int inFront =
+          queries[i].Winding - (!frontIsUp && patch.Operand == question.Operand ? 1 : 0);
         const int atRoot = inFront - question.RelativeAtProbe;
         if (question.IsCheck)
         {
@@ -847,7 +849,8 @@ private:
     }
   }
 
-  // --- decisions ---------------------------------------------------------------------------------------------------
+  // --- decisions
+  // ---------------------------------------------------------------------------------------------------
 
   /** @return whether a sheet was found not to separate. */
   bool Evaluate()
@@ -931,8 +934,7 @@ private:
   bool IsBehind(std::int32_t patch, std::int32_t sheet, const DistanceSign& distance) const
   {
     const int side = this->Sides.Find(patch, sheet);
-    return side >= 0 ? side == 1
-                     : distance.IsBehind(this->Patches[std::size_t(patch)].Face, sheet);
+    return side >= 0 ? side == 1 : distance.IsBehind(this->Patches[std::size_t(patch)].Face, sheet);
   }
 
   static Fate Decide(bool frontInside, bool behindInside)
@@ -956,8 +958,7 @@ private:
       fates.assign(std::size_t(this->World.FirstFace(operand + 1) - first), far);
       const std::vector<std::int32_t>& near = this->Near[std::size_t(operand)];
       this->Threads.For(static_cast<std::int64_t>(near.size()), BlockSize,
-        [&](std::int64_t begin, std::int64_t end)
-        {
+        [&](std::int64_t begin, std::int64_t end) {
           for (std::int64_t i = begin; i < end; ++i)
           {
             const std::int32_t face = near[std::size_t(i)];
@@ -993,8 +994,7 @@ private:
     {
       case FaceState::Cut:
         return Fate::Split;
-      case FaceState::Untouched:
-      {
+      case FaceState::Untouched: {
         const std::int32_t set = this->Sets.Root(this->World.Corners(operand, face)[0]);
         const Patch& patch = this->Patches[std::size_t(this->PatchOfSet[std::size_t(set)])];
         return Decide(patch.FrontInside, patch.BehindInside);
@@ -1030,8 +1030,7 @@ private:
   /** Regions of one stack, lowest layer first (RadialOrder.h): by face id. */
   void DecideStack(const std::vector<std::int32_t>& stack)
   {
-    const auto side = [this](std::int32_t region, bool upper)
-    {
+    const auto side = [this](std::int32_t region, bool upper) {
       const Patch& patch = this->Patches[std::size_t(this->PatchOfRegion(region))];
       return this->FacesUp(region) == upper ? patch.FrontInside : patch.BehindInside;
     };
@@ -1057,8 +1056,8 @@ private:
   {
     const std::array<std::int32_t, 3> corners =
       this->World.Corners(this->Cuts.Regions[std::size_t(region)].Face);
-    return ComputeDominantNormal(this->World.Position(corners[0]),
-             this->World.Position(corners[1]), this->World.Position(corners[2]))
+    return ComputeDominantNormal(this->World.Position(corners[0]), this->World.Position(corners[1]),
+             this->World.Position(corners[2]))
              .Sign > 0;
   }
 

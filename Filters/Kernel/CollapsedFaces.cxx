@@ -32,8 +32,8 @@ Edge EdgeOf(const Scene& scene, const std::array<std::int32_t, 3>& corners, std:
 
 bool IsCollinear(const Scene& scene, const std::array<std::int32_t, 3>& corners)
 {
-  return ComputeDominantNormal(scene.Position(corners[0]), scene.Position(corners[1]),
-           scene.Position(corners[2]))
+  return ComputeDominantNormal(
+           scene.Position(corners[0]), scene.Position(corners[1]), scene.Position(corners[2]))
            .Sign == 0;
 }
 
@@ -86,7 +86,8 @@ Location LocationOn(const Scene& scene, std::int32_t vertex, std::int32_t face)
   }
   if (numberOfZeros == 2)
   {
-    return static_cast<Location>(zeros[0] == 0 && zeros[1] == 2 ? 0 : zeros[1]); // where both edges meet
+    return static_cast<Location>(
+      zeros[0] == 0 && zeros[1] == 2 ? 0 : zeros[1]); // where both edges meet
   }
   return static_cast<Location>(numberOfZeros == 1 ? 3 + zeros[0] : Interior);
 }
@@ -150,8 +151,8 @@ public:
   /** The vertices of the group that an edge belongs to. */
   const std::vector<std::int32_t>& VerticesNear(const Edge& edge) const
   {
-    return this->Vertices[std::size_t(
-      this->GroupOfFace[std::size_t(this->FaceOfEdge.find(edge)->second)])];
+    return this
+      ->Vertices[std::size_t(this->GroupOfFace[std::size_t(this->FaceOfEdge.find(edge)->second)])];
   }
 
 private:
@@ -162,7 +163,8 @@ private:
   std::vector<std::vector<std::int32_t>> Vertices;
 };
 
-/** Collapse what has no area and shares an edge with a collapsed face: its edges could not be split otherwise. */
+/** Collapse what has no area and shares an edge with a collapsed face: its edges could not be split
+ * otherwise. */
 void Spread(const Scene& scene, std::int32_t operand, CollapsedEdges& edges,
   std::vector<std::uint8_t>& collapsed)
 {
@@ -200,7 +202,7 @@ std::vector<std::int32_t> OthersInContact(
   std::vector<std::int32_t> others;
   const auto end = contacts.begin() + static_cast<std::ptrdiff_t>(known);
   for (auto it = std::lower_bound(contacts.begin(), end, face,
-         [](const Contact& contact, std::int32_t value) { return contact.Face < value; });
+         [](const Contact&contact, std::int32_t value) { return contact.Face < value; });
        it != end && it->Face == face; ++it)
   {
     if (others.empty() || others.back() != it->Other)
@@ -303,9 +305,10 @@ void StitchCollapsedFaces(
       }
     }
   }
-  std::stable_sort(contacts.Contacts.begin(), contacts.Contacts.end(),
-    [](const Contact& l, const Contact& r)
-    { return l.Face != r.Face ? l.Face < r.Face : l.Other < r.Other; });
+  std::stable_sort(
+    contacts.Contacts.begin(), contacts.Contacts.end(), [](const Contact& l, const Contact& r) {
+      return l.Face != r.Face ? l.Face < r.Face : l.Other < r.Other;
+    });
 }
 
 } // namespace sb

@@ -4,9 +4,10 @@
  * @file CollapsedFaces.h
  * @brief Faces without area near other surfaces are taken out, without opening the surface.
  *
- * A face whose corners are collinear has no plane, so it cannot be cut. It only stitches edges together: its longest edge
- * to the two shorter ones. So it is left out, and its middle corner becomes a point on the edge of the neighbour beyond
- * the longest edge, which is thereby split in step with the neighbours beyond the shorter ones.
+ * A face whose corners are collinear has no plane, so it cannot be cut. It only stitches edges
+ * together: its longest edge to the two shorter ones. So it is left out, and its middle corner
+ * becomes a point on the edge of the neighbour beyond the longest edge, which is thereby split in
+ * step with the neighbours beyond the shorter ones.
  */
 #ifndef sb_CollapsedFaces_h
 #define sb_CollapsedFaces_h

@@ -32,8 +32,9 @@ Triangle MakeTriangle(const Scene& scene, std::int32_t operand, std::int32_t tri
 }
 
 /**
- * One end of a chord: where a triangle's boundary meets a line or plane. Below and Above are the corners of the edge
- * that meets it, on its negative and positive side. Where the end is a corner, one of the two is that corner.
+ * One end of a chord: where a triangle's boundary meets a line or plane. Below and Above are the
+ * corners of the edge that meets it, on its negative and positive side. Where the end is a corner,
+ * one of the two is that corner.
  */
 struct ChordEnd
 {
@@ -53,23 +54,24 @@ ChordEnd CrossingEdge(int from, int to, const int signs[3])
 ChordEnd CornerEnd(int corner, const int signs[3])
 {
   const int other = signs[(corner + 1) % 3] != 0 ? (corner + 1) % 3 : (corner + 2) % 3;
-  return signs[other] > 0
-    ? ChordEnd{ static_cast<Location>(corner), static_cast<std::int8_t>(corner),
-        static_cast<std::int8_t>(other) }
-    : ChordEnd{ static_cast<Location>(corner), static_cast<std::int8_t>(other),
-        static_cast<std::int8_t>(corner) };
+  return signs[other] > 0 ? ChordEnd{ static_cast<Location>(corner),
+    static_cast<std::int8_t>(corner), static_cast<std::int8_t>(other) }
+                          : ChordEnd{ static_cast<Location>(corner),
+                              static_cast<std::int8_t>(other), static_cast<std::int8_t>(corner) };
 }
 
 struct Chord
 {
   ChordEnd Ends[2];
   bool IsPoint;
-  Location Inside; ///< where points strictly between the ends lie: interior, or the edge that the chord runs along
+  Location Inside; ///< where points strictly between the ends lie: interior, or the edge that the
+                   ///< chord runs along
 };
 
 /**
- * The chord of a triangle whose corners have these signs (not all equal in sign, not all zero), in the order that a
- * counter-clockwise triangle meets a line which has its positive side on the left: first end first.
+ * The chord of a triangle whose corners have these signs (not all equal in sign, not all zero), in
+ * the order that a counter-clockwise triangle meets a line which has its positive side on the left:
+ * first end first.
  */
 Chord MakeChord(const int signs[3])
 {
@@ -121,12 +123,10 @@ bool OnOneSide(const int signs[3])
 
 bool HaveSameCorners(const Triangle& a, const Triangle& b)
 {
-  return std::all_of(std::begin(a.P), std::end(a.P),
-    [&](const double* p)
-    {
-      return std::any_of(std::begin(b.P), std::end(b.P),
-        [&](const double* q) { return p[0] == q[0] && p[1] == q[1] && p[2] == q[2]; });
-    });
+  return std::all_of(std::begin(a.P), std::end(a.P), [&](const double* p) {
+    return std::any_of(std::begin(b.P), std::end(b.P),
+      [&](const double* q) { return p[0] == q[0] && p[1] == q[1] && p[2] == q[2]; });
+  });
 }
 
 /** Collects what the pairs of one range of the pair list give. */
@@ -188,12 +188,13 @@ private:
   void IntersectCrossing(
     const Triangle& a, const int signsOfA[3], const Triangle& b, const int signsOfB[3])
   {
-    // Along the cross product of the normals, a triangle is met clockwise seen from its plane's other side: hence the
-    // second chord is taken as it comes, the first one reversed.
+    // Along the cross product of the normals, a triangle is met clockwise seen from its plane's
+    // other side: hence the second chord is taken as it comes, the first one reversed.
     const Chord p = Reversed(MakeChord(signsOfA));
     const Chord q = MakeChord(signsOfB);
-    const auto order = [&](const ChordEnd& ofA, const ChordEnd& ofB)
-    { return -Orient3D(a.P[ofA.Below], a.P[ofA.Above], b.P[ofB.Below], b.P[ofB.Above]); };
+    const auto order = [&](const ChordEnd& ofA, const ChordEnd& ofB) {
+      return -Orient3D(a.P[ofA.Below], a.P[ofA.Above], b.P[ofB.Below], b.P[ofB.Above]);
+    };
 
     const int endToStart = order(p.Ends[1], q.Ends[0]);
     const int startToEnd = order(p.Ends[0], q.Ends[1]);
@@ -201,8 +202,9 @@ private:
     {
       return;
     }
-    const auto at = [&](const ChordEnd* ofA, const ChordEnd* ofB)
-    { return this->MakeEnd(a, b, ofA, p.Inside, ofB, q.Inside); };
+    const auto at = [&](const ChordEnd* ofA, const ChordEnd* ofB) {
+      return this->MakeEnd(a, b, ofA, p.Inside, ofB, q.Inside);
+    };
     End ends[2];
     if (endToStart == 0)
     {
@@ -254,13 +256,13 @@ private:
     }
     else if (ofA)
     {
-      end.Point = this->AddPoint(ExactPoint::LinePlane(
-        a.P[ofA->Below], a.P[ofA->Above], b.P[0], b.P[1], b.P[2]));
+      end.Point = this->AddPoint(
+        ExactPoint::LinePlane(a.P[ofA->Below], a.P[ofA->Above], b.P[0], b.P[1], b.P[2]));
     }
     else
     {
-      end.Point = this->AddPoint(ExactPoint::LinePlane(
-        b.P[ofB->Below], b.P[ofB->Above], a.P[0], a.P[1], a.P[2]));
+      end.Point = this->AddPoint(
+        ExactPoint::LinePlane(b.P[ofB->Below], b.P[ofB->Above], a.P[0], a.P[1], a.P[2]));
     }
     return end;
   }
@@ -276,7 +278,8 @@ private:
     }
   }
 
-  /** The part of an edge of `a` that lies in the coplanar triangle `b`; `turn` is b's orientation in the projection. */
+  /** The part of an edge of `a` that lies in the coplanar triangle `b`; `turn` is b's orientation
+   * in the projection. */
   void IntersectEdge(
     const Triangle& a, int edge, const Triangle& b, int turn, int axis, bool swapped)
   {
@@ -298,23 +301,24 @@ private:
       chord = Reversed(chord);
     }
     // The sign of (point - chord end) along the edge.
-    const auto order = [&](const double* point, const ChordEnd& end)
-    { return -Orient2D(b.P[end.Below], b.P[end.Above], point, axis); };
+    const auto order = [&](const double* point, const ChordEnd& end) {
+      return -Orient2D(b.P[end.Below], b.P[end.Above], point, axis);
+    };
 
     if (order(v, chord.Ends[0]) < 0 || order(u, chord.Ends[1]) > 0)
     {
       return;
     }
     const auto along = static_cast<Location>(3 + edge);
-    const auto atChordEnd = [&](const ChordEnd& end)
-    {
+    const auto atChordEnd = [&](const ChordEnd& end) {
       return End{ along, end.Where,
         IsCorner(end.Where)
           ? this->AddVertex(b.Vertices[end.Where])
           : this->AddPoint(ExactPoint::LineLine(u, v, b.P[end.Below], b.P[end.Above], axis)) };
     };
-    const auto atCorner = [&](int corner, Location onB)
-    { return End{ static_cast<Location>(corner), onB, this->AddVertex(a.Vertices[corner]) }; };
+    const auto atCorner = [&](int corner, Location onB) {
+      return End{ static_cast<Location>(corner), onB, this->AddVertex(a.Vertices[corner]) };
+    };
 
     End ends[2];
     if (order(v, chord.Ends[0]) == 0)
@@ -333,9 +337,8 @@ private:
     {
       const int start = order(u, chord.Ends[0]);
       const int stop = order(v, chord.Ends[1]);
-      ends[0] = start < 0
-        ? atChordEnd(chord.Ends[0])
-        : atCorner(edge, start == 0 ? chord.Ends[0].Where : chord.Inside);
+      ends[0] = start < 0 ? atChordEnd(chord.Ends[0])
+                          : atCorner(edge, start == 0 ? chord.Ends[0].Where : chord.Inside);
       ends[1] = stop > 0 ? atChordEnd(chord.Ends[1])
                          : atCorner(head, stop == 0 ? chord.Ends[1].Where : chord.Inside);
     }
@@ -352,8 +355,9 @@ private:
   }
 
   /**
-   * Record the contact for both triangles. The carriers say what draws its line: an edge of the other triangle, -1 the
-   * other's plane, -2 the triangle's own edge (then nothing has to be drawn but the edge itself).
+   * Record the contact for both triangles. The carriers say what draws its line: an edge of the
+   * other triangle, -1 the other's plane, -2 the triangle's own edge (then nothing has to be drawn
+   * but the edge itself).
    */
   void Add(const Triangle& a, const Triangle& b, std::int8_t carrierOnA, std::int8_t carrierOnB,
     const End ends[2])
@@ -395,24 +399,23 @@ ContactSet FindContacts(const Scene& scene, const std::vector<TrianglePair>& pai
   const auto numberOfPairs = static_cast<std::int64_t>(pairs.size());
   const std::int64_t numberOfRanges = (numberOfPairs + rangeSize - 1) / rangeSize;
   std::vector<Collector> collectors(static_cast<std::size_t>(numberOfRanges), Collector(scene));
-  executor.For(numberOfRanges, 1,
-    [&](std::int64_t begin, std::int64_t end)
+  executor.For(numberOfRanges, 1, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t range = begin; range < end && !monitor.Aborted(); ++range)
     {
-      for (std::int64_t range = begin; range < end && !monitor.Aborted(); ++range)
+      const std::int64_t stop = std::min(numberOfPairs, (range + 1) * rangeSize);
+      for (std::int64_t i = range * rangeSize; i < stop; ++i)
       {
-        const std::int64_t stop = std::min(numberOfPairs, (range + 1) * rangeSize);
-        for (std::int64_t i = range * rangeSize; i < stop; ++i)
+        const TrianglePair& pair = pairs[std::size_t(i)];
+        const Triangle a = MakeTriangle(scene, pair.SurfaceA, pair.TriangleA);
+        const Triangle b = MakeTriangle(scene, pair.SurfaceB, pair.TriangleB);
+        if (collapsed.empty() ||
+          (!collapsed[std::size_t(a.Face)] && !collapsed[std::size_t(b.Face)]))
         {
-          const TrianglePair& pair = pairs[std::size_t(i)];
-          const Triangle a = MakeTriangle(scene, pair.SurfaceA, pair.TriangleA);
-          const Triangle b = MakeTriangle(scene, pair.SurfaceB, pair.TriangleB);
-          if (collapsed.empty() || (!collapsed[std::size_t(a.Face)] && !collapsed[std::size_t(b.Face)]))
-          {
-            collectors[std::size_t(range)].Intersect(a, b, pair.SurfaceA == pair.SurfaceB);
-          }
+          collectors[std::size_t(range)].Intersect(a, b, pair.SurfaceA == pair.SurfaceB);
         }
       }
-    });
+    }
+  });
 
   ContactSet result;
   for (Collector& collector : collectors)
@@ -430,12 +433,11 @@ ContactSet FindContacts(const Scene& scene, const std::vector<TrianglePair>& pai
   }
   ParallelSort(
     result.Contacts,
-    [](const Contact& l, const Contact& r)
-    {
+    [](const Contact& l, const Contact& r) {
       return l.Face != r.Face ? l.Face < r.Face
-        : l.Other != r.Other  ? l.Other < r.Other
-                              : l.Points[0] < r.Points[0] ||
-            (l.Points[0] == r.Points[0] && l.OtherEdge < r.OtherEdge);
+        : l.Other != r.Other
+        ? l.Other < r.Other
+        : l.Points[0] < r.Points[0] || (l.Points[0] == r.Points[0] && l.OtherEdge < r.OtherEdge);
     },
     executor);
   return result;

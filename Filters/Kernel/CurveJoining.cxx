@@ -67,8 +67,8 @@ private:
     {
       std::size_t end = first;
       bool isContact = false;
-      while (end < uses.size() && uses[end].Low == uses[first].Low &&
-        uses[end].High == uses[first].High)
+      while (
+        end < uses.size() && uses[end].Low == uses[first].Low && uses[end].High == uses[first].High)
       {
         isContact = isContact || uses[end].IsContact;
         ++end;
@@ -117,8 +117,7 @@ private:
     }
     std::sort(stacks.begin(), stacks.end());
     stacks.erase(std::unique(stacks.begin(), stacks.end()), stacks.end());
-    const auto stacksOf = [&](std::int32_t operand)
-    {
+    const auto stacksOf = [&](std::int32_t operand) {
       std::vector<std::int32_t> result;
       for (const auto& entry : stacks)
       {
@@ -134,7 +133,8 @@ private:
       [&](const auto& entry) { return stacksOf(entry.first) != ofFirst; });
   }
 
-  /** The first face at the edge, and the first one of another operand, or failing that another face. */
+  /** The first face at the edge, and the first one of another operand, or failing that another
+   * face. */
   Curves::Makers MakersOf(std::size_t first, std::size_t end) const
   {
     const std::int32_t a = this->FaceOf(this->Cuts.EdgeUses[first]);
@@ -222,9 +222,6 @@ private:
 
 } // namespace
 
-Curves JoinCurves(const Scene& scene, const Arrangement& cuts)
-{
-  return Joiner(scene, cuts).Run();
-}
+Curves JoinCurves(const Scene& scene, const Arrangement& cuts) { return Joiner(scene, cuts).Run(); }
 
 } // namespace sb

@@ -4,9 +4,10 @@
  * @file DisjointSets.h
  * @brief Union-find over 0..n-1 whose sets are named by their smallest member.
  *
- * The name of a set depends on the unions made only, not on their order, and so whatever is numbered by it is
- * deterministic. Union by lower root gives up the logarithmic bound of union by rank; with path halving the cost stays
- * logarithmic amortised (Tarjan and van Leeuwen 1984), and ids in mesh order keep the trees flat in practice.
+ * The name of a set depends on the unions made only, not on their order, and so whatever is
+ * numbered by it is deterministic. Union by lower root gives up the logarithmic bound of union by
+ * rank; with path halving the cost stays logarithmic amortised (Tarjan and van Leeuwen 1984), and
+ * ids in mesh order keep the trees flat in practice.
  */
 #ifndef sb_DisjointSets_h
 #define sb_DisjointSets_h
@@ -47,7 +48,8 @@ public:
     return i;
   }
 
-  /** The same as Find without shortening paths: may be called from several threads while no set changes. */
+  /** The same as Find without shortening paths: may be called from several threads while no set
+   * changes. */
   std::int32_t Root(std::int32_t i) const
   {
     const std::int32_t* const parent = this->Parent.data();
@@ -61,8 +63,9 @@ public:
   /** Join the sets of i and j; returns whether they were two. */
   bool Unite(std::int32_t i, std::int32_t j)
   {
-    // The two paths are climbed together, the one with the higher parent first (Rem's algorithm, in Dijkstra 1976):
-    // where i and j are in one set already, as mostly on a mesh, the climb ends where the paths meet.
+    // The two paths are climbed together, the one with the higher parent first (Rem's algorithm, in
+    // Dijkstra 1976): where i and j are in one set already, as mostly on a mesh, the climb ends
+    // where the paths meet.
     std::int32_t* const parent = this->Parent.data();
     while (parent[i] != parent[j])
     {

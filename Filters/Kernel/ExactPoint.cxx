@@ -7,7 +7,6 @@
  */
 #include "ExactPoint.h"
 
-
 #include <cstring>
 #include <limits>
 #include <type_traits>

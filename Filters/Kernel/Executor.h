@@ -4,8 +4,8 @@
  * @file Executor.h
  * @brief What the kernel asks of its host: a parallel loop, and an ear for progress and abort.
  *
- * A front end hands in its own thread pool (the VTK filters use vtkSMPTools). Results never depend on the number of
- * threads or on the order in which they run.
+ * A front end hands in its own thread pool (the VTK filters use vtkSMPTools). Results never depend
+ * on the number of threads or on the order in which they run.
  */
 #ifndef sb_Executor_h
 #define sb_Executor_h
@@ -25,7 +25,8 @@ public:
   /** At least one. */
   virtual int NumberOfThreads() const = 0;
 
-  /** Call body(begin, end) over disjoint ranges that cover [0, count), each about `grain` long; returns when all are done. */
+  /** Call body(begin, end) over disjoint ranges that cover [0, count), each about `grain` long;
+   * returns when all are done. */
   virtual void For(std::int64_t count, std::int64_t grain,
     const std::function<void(std::int64_t, std::int64_t)>& body) = 0;
 };
@@ -45,7 +46,8 @@ public:
   }
 };
 
-/** Hears of progress and says whether to stop. Called from the thread that called the kernel only. */
+/** Hears of progress and says whether to stop. Called from the thread that called the kernel only.
+ */
 class Monitor
 {
 public:

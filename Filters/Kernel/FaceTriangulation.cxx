@@ -10,18 +10,12 @@ namespace sb
 namespace
 {
 
-constexpr int Next(int i)
-{
-  return i == 2 ? 0 : i + 1;
-}
-constexpr int Last(int i)
-{
-  return i == 0 ? 2 : i - 1;
-}
+constexpr int Next(int i) { return i == 2 ? 0 : i + 1; }
+constexpr int Last(int i) { return i == 0 ? 2 : i - 1; }
 
 /**
- * Whether d lies inside the circle through a, b, c (counter-clockwise) by more than rounding can explain. The margin
- * keeps cocircular points from being flipped to and fro.
+ * Whether d lies inside the circle through a, b, c (counter-clockwise) by more than rounding can
+ * explain. The margin keeps cocircular points from being flipped to and fro.
  */
 bool InsideCircle(const double* a, const double* b, const double* c, const double* d, int u, int v)
 {
@@ -34,8 +28,8 @@ bool InsideCircle(const double* a, const double* b, const double* c, const doubl
   const double ad = adx * adx + ady * ady;
   const double bd = bdx * bdx + bdy * bdy;
   const double cd = cdx * cdx + cdy * cdy;
-  const double determinant = ad * (bdx * cdy - bdy * cdx) + bd * (cdx * ady - cdy * adx) +
-    cd * (adx * bdy - ady * bdx);
+  const double determinant =
+    ad * (bdx * cdy - bdy * cdx) + bd * (cdx * ady - cdy * adx) + cd * (adx * bdy - ady * bdx);
   const double magnitude = ad * (std::abs(bdx * cdy) + std::abs(bdy * cdx)) +
     bd * (std::abs(cdx * ady) + std::abs(cdy * adx)) +
     cd * (std::abs(adx * bdy) + std::abs(ady * bdx));
@@ -44,8 +38,7 @@ bool InsideCircle(const double* a, const double* b, const double* c, const doubl
 
 } // namespace
 
-void FaceTriangulation::Reset(
-  const std::array<const ExactPoint*, 3>& corners, int axis, int sign)
+void FaceTriangulation::Reset(const std::array<const ExactPoint*, 3>& corners, int axis, int sign)
 {
   this->Axis = axis;
   this->Sign = sign;
@@ -102,8 +95,8 @@ void FaceTriangulation::Constrain(int from, int to, int constraint, ConstraintSo
 
 FaceTriangulation::Place FaceTriangulation::Locate(const ExactPoint& point)
 {
-  // A walk that looks at the edges in changing order ends in any triangulation, Delaunay or not (Devillers, Pion and
-  // Teillaud, "Walking in a triangulation", 2002).
+  // A walk that looks at the edges in changing order ends in any triangulation, Delaunay or not
+  // (Devillers, Pion and Teillaud, "Walking in a triangulation", 2002).
   int cell = this->LastCell;
   for (;;)
   {
@@ -131,8 +124,7 @@ FaceTriangulation::Place FaceTriangulation::Locate(const ExactPoint& point)
     if (!moved)
     {
       this->LastCell = cell;
-      const int vertex =
-        onOther == None ? None : here.Vertices[std::size_t(3 - onEdge - onOther)];
+      const int vertex = onOther == None ? None : here.Vertices[std::size_t(3 - onEdge - onOther)];
       return { cell, onEdge, vertex };
     }
   }
@@ -153,15 +145,13 @@ FaceTriangulation::Place FaceTriangulation::LocateOnEdge(const ExactPoint& point
   {
     // The boundary edge that leaves the vertex: the one without a neighbour, counter-clockwise.
     Place place{ None, None, None };
-    this->VisitCellsAround(vertex,
-      [&](int cell, int i)
+    this->VisitCellsAround(vertex, [&](int cell, int i) {
+      if (this->Triangles[std::size_t(cell)].Neighbours[std::size_t(Last(i))] == None)
       {
-        if (this->Triangles[std::size_t(cell)].Neighbours[std::size_t(Last(i))] == None)
-        {
-          place = { cell, Last(i), None };
-        }
-        return place.Cell != None;
-      });
+        place = { cell, Last(i), None };
+      }
+      return place.Cell != None;
+    });
     const int next =
       this->Triangles[std::size_t(place.Cell)].Vertices[std::size_t(Last(place.Edge))];
     const int beyond = forward * CompareAlong(point, this->Point(next), axis);
@@ -262,7 +252,8 @@ void FaceTriangulation::SplitEdge(int cell, int edge, int vertex)
   const Cell there = this->Triangles[std::size_t(across)];
   const int opposite = 3 - this->IndexOf(across, a) - this->IndexOf(across, b);
   const int far = at(there.Vertices, opposite);
-  this->SetCell(across, { far, b, vertex }, { second, fourth, at(there.Neighbours, Last(opposite)) },
+  this->SetCell(across, { far, b, vertex },
+    { second, fourth, at(there.Neighbours, Last(opposite)) },
     { constraint, None, at(there.Constraints, Last(opposite)) });
   this->SetCell(fourth, { far, vertex, a }, { cell, at(there.Neighbours, Next(opposite)), across },
     { constraint, at(there.Constraints, Next(opposite)), None });
@@ -334,13 +325,12 @@ void FaceTriangulation::RestoreDelaunayAround(int vertex)
 {
   std::vector<int>& stack = this->Stack;
   stack.clear();
-  this->VisitCellsAround(vertex,
-    [&](int cell, int)
-    {
-      stack.push_back(cell);
-      return false;
-    });
-  // Rounded points can disagree with the exact ones; the bound ends any cycle that this could cause.
+  this->VisitCellsAround(vertex, [&](int cell, int) {
+    stack.push_back(cell);
+    return false;
+  });
+  // Rounded points can disagree with the exact ones; the bound ends any cycle that this could
+  // cause.
   for (int budget = 64 + 8 * static_cast<int>(stack.size()); !stack.empty() && budget > 0; --budget)
   {
     const int cell = stack.back();
@@ -398,7 +388,8 @@ void FaceTriangulation::VisitCellsAround(int vertex, Visitor&& visitor) const
     return;
   }
   // The vertex is on the face's boundary: go round the other way for the rest.
-  cell = this->Triangles[std::size_t(first)].Neighbours[std::size_t(Last(this->IndexOf(first, vertex)))];
+  cell =
+    this->Triangles[std::size_t(first)].Neighbours[std::size_t(Last(this->IndexOf(first, vertex)))];
   while (cell != None)
   {
     const int i = this->IndexOf(cell, vertex);
@@ -413,20 +404,18 @@ void FaceTriangulation::VisitCellsAround(int vertex, Visitor&& visitor) const
 std::pair<int, int> FaceTriangulation::FindEdge(int a, int b) const
 {
   std::pair<int, int> found{ None, None };
-  this->VisitCellsAround(a,
-    [&](int cell, int i)
+  this->VisitCellsAround(a, [&](int cell, int i) {
+    const std::array<int, 3>& vertices = this->Triangles[std::size_t(cell)].Vertices;
+    if (vertices[std::size_t(Next(i))] == b)
     {
-      const std::array<int, 3>& vertices = this->Triangles[std::size_t(cell)].Vertices;
-      if (vertices[std::size_t(Next(i))] == b)
-      {
-        found = { cell, Last(i) };
-      }
-      else if (vertices[std::size_t(Last(i))] == b)
-      {
-        found = { cell, Next(i) };
-      }
-      return found.first != None;
-    });
+      found = { cell, Last(i) };
+    }
+    else if (vertices[std::size_t(Last(i))] == b)
+    {
+      found = { cell, Next(i) };
+    }
+    return found.first != None;
+  });
   return found;
 }
 
@@ -454,31 +443,29 @@ int FaceTriangulation::Advance(int from, int to, int constraint, ConstraintSourc
   int reached = None;
   int cell = None;
   int edge = None;
-  this->VisitCellsAround(from,
-    [&](int candidate, int i)
+  this->VisitCellsAround(from, [&](int candidate, int i) {
+    const std::array<int, 3>& vertices = this->Triangles[std::size_t(candidate)].Vertices;
+    const int right = vertices[std::size_t(Next(i))];
+    const int left = vertices[std::size_t(Last(i))];
+    const int sideOfRight = right == to ? 0 : this->Orientation(from, to, right);
+    const int sideOfLeft = left == to ? 0 : this->Orientation(from, to, left);
+    if (sideOfRight == 0 && sideOfLeft > 0)
     {
-      const std::array<int, 3>& vertices = this->Triangles[std::size_t(candidate)].Vertices;
-      const int right = vertices[std::size_t(Next(i))];
-      const int left = vertices[std::size_t(Last(i))];
-      const int sideOfRight = right == to ? 0 : this->Orientation(from, to, right);
-      const int sideOfLeft = left == to ? 0 : this->Orientation(from, to, left);
-      if (sideOfRight == 0 && sideOfLeft > 0)
-      {
-        reached = right;
-        this->Mark(candidate, Last(i), constraint);
-      }
-      else if (sideOfLeft == 0 && sideOfRight < 0)
-      {
-        reached = left;
-        this->Mark(candidate, Next(i), constraint);
-      }
-      else if (sideOfRight < 0 && sideOfLeft > 0)
-      {
-        cell = candidate;
-        edge = i;
-      }
-      return reached != None || cell != None;
-    });
+      reached = right;
+      this->Mark(candidate, Last(i), constraint);
+    }
+    else if (sideOfLeft == 0 && sideOfRight < 0)
+    {
+      reached = left;
+      this->Mark(candidate, Next(i), constraint);
+    }
+    else if (sideOfRight < 0 && sideOfLeft > 0)
+    {
+      cell = candidate;
+      edge = i;
+    }
+    return reached != None || cell != None;
+  });
   if (reached != None)
   {
     return reached;
@@ -508,7 +495,8 @@ int FaceTriangulation::Advance(int from, int to, int constraint, ConstraintSourc
       reached = far;
       break;
     }
-    // Seen from across, the edge runs from left to right: the next edge crossed is (far, left) or (right, far).
+    // Seen from across, the edge runs from left to right: the next edge crossed is (far, left) or
+    // (right, far).
     cell = across;
     edge = side < 0 ? this->IndexOf(across, right) : this->IndexOf(across, left);
   }

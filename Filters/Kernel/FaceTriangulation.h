@@ -4,11 +4,12 @@
  * @file FaceTriangulation.h
  * @brief A constrained triangulation of one face: all its contacts become edges of it.
  *
- * Points are inserted one by one and edges flipped towards Delaunay (Lawson 1977); constraints are then enforced by
- * flipping what crosses them (Sloan, "A fast algorithm for generating constrained Delaunay triangulations", Computers
- * & Structures 47(3), 1993). Every decision that the topology rests on is an exact orientation of exact points, so the
- * result is a valid triangulation whatever the input. Only the shape of the triangles depends on floating point: the
- * in-circle test is evaluated on rounded points, and a flip is made only where the exact quadrilateral is convex.
+ * Points are inserted one by one and edges flipped towards Delaunay (Lawson 1977); constraints are
+ * then enforced by flipping what crosses them (Sloan, "A fast algorithm for generating constrained
+ * Delaunay triangulations", Computers & Structures 47(3), 1993). Every decision that the topology
+ * rests on is an exact orientation of exact points, so the result is a valid triangulation whatever
+ * the input. Only the shape of the triangles depends on floating point: the in-circle test is
+ * evaluated on rounded points, and a flip is made only where the exact quadrilateral is convex.
  */
 #ifndef sb_FaceTriangulation_h
 #define sb_FaceTriangulation_h
@@ -44,20 +45,24 @@ public:
   struct Cell
   {
     std::array<int, 3> Vertices;
-    std::array<int, 3> Neighbours;  ///< across the edge opposite to each vertex; None outside the face
+    std::array<int, 3>
+      Neighbours; ///< across the edge opposite to each vertex; None outside the face
     std::array<int, 3> Constraints; ///< on that edge; None if free
   };
 
   /**
-   * Start from a face's three corners (vertices 0, 1, 2). The points have to outlive the triangulation.
+   * Start from a face's three corners (vertices 0, 1, 2). The points have to outlive the
+   * triangulation.
    * @param axis,sign the dominant axis of the face's normal, and the sign of that component (not 0)
    */
   void Reset(const std::array<const ExactPoint*, 3>& corners, int axis, int sign);
 
-  /** Insert a point of the closed face; @return its vertex (an existing one if the point coincides with it). */
+  /** Insert a point of the closed face; @return its vertex (an existing one if the point coincides
+   * with it). */
   int Insert(const ExactPoint* point);
 
-  /** Insert a point inside the edge from corner `edge` to the next; quicker, as it need not be searched for. */
+  /** Insert a point inside the edge from corner `edge` to the next; quicker, as it need not be
+   * searched for. */
   int InsertOnEdge(const ExactPoint* point, int edge);
 
   /** Make the segment between two vertices a chain of edges, each marked with the constraint. */
@@ -77,7 +82,7 @@ private:
   struct Place
   {
     int Cell;
-    int Edge;   ///< the edge (by its opposite vertex) that the point lies on, or None
+    int Edge; ///< the edge (by its opposite vertex) that the point lies on, or None
     int Vertex; ///< the vertex that the point coincides with, or None
   };
 

@@ -4,8 +4,8 @@
  * @file Hash.h
  * @brief Mixing of integers to 64 bits whose sums serve as fingerprints of sets.
  *
- * The mixer is the finaliser of SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators",
- * OOPSLA 2014).
+ * The mixer is the finaliser of SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom
+ * number generators", OOPSLA 2014).
  */
 #ifndef sb_Hash_h
 #define sb_Hash_h

@@ -20,7 +20,8 @@ namespace
 
 constexpr std::int64_t BlockSize = 1 << 14;
 
-/** What one block of triangles adds; blocks are added up in their order, so that sums do not depend on the threads. */
+/** What one block of triangles adds; blocks are added up in their order, so that sums do not depend
+ * on the threads. */
 struct TriangleSums
 {
   std::int64_t BadIndex = -1; ///< first triangle with a point id out of range
@@ -56,7 +57,8 @@ std::uint64_t HashPoint(const double* p)
   return hash;
 }
 
-/** A hash of a directed edge, minus that of the opposite one; without branches, which could not be predicted. */
+/** A hash of a directed edge, minus that of the opposite one; without branches, which could not be
+ * predicted. */
 std::uint64_t HashEdge(std::uint64_t from, std::uint64_t to)
 {
   constexpr std::uint64_t odd = 0xd6e8feb86659fd93u;
@@ -78,8 +80,8 @@ TriangleSums MeasureTriangles(const Surface& mesh, const std::uint64_t* hashes,
   for (std::int64_t i = begin; i < end; ++i)
   {
     const std::int32_t* ids = mesh.Triangles + 3 * i;
-    if (static_cast<std::uint32_t>(ids[0]) >= limit || static_cast<std::uint32_t>(ids[1]) >= limit ||
-      static_cast<std::uint32_t>(ids[2]) >= limit)
+    if (static_cast<std::uint32_t>(ids[0]) >= limit ||
+      static_cast<std::uint32_t>(ids[1]) >= limit || static_cast<std::uint32_t>(ids[2]) >= limit)
     {
       sums.BadIndex = i;
       return sums;
@@ -95,7 +97,8 @@ TriangleSums MeasureTriangles(const Surface& mesh, const std::uint64_t* hashes,
     const double v[3] = { c[0] - a[0], c[1] - a[1], c[2] - a[2] };
     const double n[3] = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
       u[0] * v[1] - u[1] * v[0] };
-    sums.Volume += (a[0] - origin[0]) * n[0] + (a[1] - origin[1]) * n[1] + (a[2] - origin[2]) * n[2];
+    sums.Volume +=
+      (a[0] - origin[0]) * n[0] + (a[1] - origin[1]) * n[1] + (a[2] - origin[2]) * n[2];
     sums.Area += std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     const std::uint64_t ha = hashes[ids[0]];
     const std::uint64_t hb = hashes[ids[1]];
@@ -105,8 +108,8 @@ TriangleSums MeasureTriangles(const Surface& mesh, const std::uint64_t* hashes,
   return sums;
 }
 
-PointBox MeasurePoints(const Surface& mesh, const std::atomic<std::uint8_t>* used,
-  std::int64_t begin, std::int64_t end)
+PointBox MeasurePoints(
+  const Surface& mesh, const std::atomic<std::uint8_t>* used, std::int64_t begin, std::int64_t end)
 {
   PointBox box;
   double poison = 0.0; // not a number as soon as one coordinate is not finite
@@ -165,8 +168,8 @@ Remark Diagnose(const Surface& mesh, const std::vector<std::uint64_t>& hashes,
         hashes[std::size_t(mesh.Triangles[3 * std::size_t(i) + (k + 1) % 3])];
       if (from != to)
       {
-        edges.push_back({ std::min(from, to), std::max(from, to), i,
-          static_cast<std::int8_t>(k), from < to });
+        edges.push_back(
+          { std::min(from, to), std::max(from, to), i, static_cast<std::int8_t>(k), from < to });
       }
     }
   }
@@ -251,9 +254,8 @@ public:
       return;
     }
     std::vector<std::uint64_t> hashes(std::size_t(this->Mesh.NumberOfPoints));
-    this->Threads.For(this->Mesh.NumberOfPoints, BlockSize,
-      [&](std::int64_t begin, std::int64_t end)
-      {
+    this->Threads.For(
+      this->Mesh.NumberOfPoints, BlockSize, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i)
         {
           hashes[std::size_t(i)] = HashPoint(this->Mesh.Points + 3 * i);
@@ -265,8 +267,7 @@ public:
     }
     if (!this->Result.Report.Closed)
     {
-      this->Result.Remarks.push_back(
-        Diagnose(this->Mesh, hashes, this->Result.Rim, this->Threads));
+      this->Result.Remarks.push_back(Diagnose(this->Mesh, hashes, this->Result.Rim, this->Threads));
       this->Result.IsOpen = true;
     }
     else if (this->Result.Report.Volume < 0.0)
@@ -288,9 +289,8 @@ private:
   std::vector<Block> MeasureBlocks(std::int64_t count, Measure&& measure)
   {
     std::vector<Block> blocks(std::size_t((count + BlockSize - 1) / BlockSize));
-    this->Threads.For(static_cast<std::int64_t>(blocks.size()), 1,
-      [&](std::int64_t begin, std::int64_t end)
-      {
+    this->Threads.For(
+      static_cast<std::int64_t>(blocks.size()), 1, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i)
         {
           blocks[std::size_t(i)] = measure(i * BlockSize, std::min(count, (i + 1) * BlockSize));
@@ -303,9 +303,10 @@ private:
   bool MeasureAllTriangles(const std::vector<std::uint64_t>& hashes)
   {
     this->Used.reset(new std::atomic<std::uint8_t>[std::size_t(this->Mesh.NumberOfPoints)]());
-    const auto blocks = this->MeasureBlocks<TriangleSums>(this->Mesh.NumberOfTriangles,
-      [&](std::int64_t begin, std::int64_t end)
-      { return MeasureTriangles(this->Mesh, hashes.data(), this->Used.get(), begin, end); });
+    const auto blocks = this->MeasureBlocks<TriangleSums>(
+      this->Mesh.NumberOfTriangles, [&](std::int64_t begin, std::int64_t end) {
+        return MeasureTriangles(this->Mesh, hashes.data(), this->Used.get(), begin, end);
+      });
     TriangleSums total;
     for (const TriangleSums& block : blocks)
     {
@@ -327,9 +328,10 @@ private:
   /** @return whether all points in use are finite. */
   bool MeasureAllPoints()
   {
-    const auto blocks = this->MeasureBlocks<PointBox>(this->Mesh.NumberOfPoints,
-      [&](std::int64_t begin, std::int64_t end)
-      { return MeasurePoints(this->Mesh, this->Used.get(), begin, end); });
+    const auto blocks = this->MeasureBlocks<PointBox>(
+      this->Mesh.NumberOfPoints, [&](std::int64_t begin, std::int64_t end) {
+        return MeasurePoints(this->Mesh, this->Used.get(), begin, end);
+      });
     PointBox total;
     for (const PointBox& block : blocks)
     {

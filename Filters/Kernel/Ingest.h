@@ -4,10 +4,11 @@
  * @file Ingest.h
  * @brief One pass over each operand that checks it and measures it.
  *
- * Whether a surface is closed is found without building its topology: a closed surface uses every directed edge as often
- * as its opposite, so the sum over all directed edges of a hash that changes its sign with the direction is zero modulo
- * 2^64. Hashes are of coordinates, so points that coincide count as one. Only where the sum is not zero are the edges
- * sorted, to say what is wrong and where.
+ * Whether a surface is closed is found without building its topology: a closed surface uses every
+ * directed edge as often as its opposite, so the sum over all directed edges of a hash that changes
+ * its sign with the direction is zero modulo 2^64. Hashes are of coordinates, so points that
+ * coincide count as one. Only where the sum is not zero are the edges sorted, to say what is wrong
+ * and where.
  */
 #ifndef sb_Ingest_h
 #define sb_Ingest_h
@@ -40,7 +41,7 @@ struct Ingested
 {
   std::vector<OperandReport> Reports;
   std::vector<Remark> Remarks;
-  std::vector<std::uint8_t> Open;    ///< operands to be treated as sheets
+  std::vector<std::uint8_t> Open; ///< operands to be treated as sheets
   std::vector<std::uint8_t> Swapped; ///< closed operands that are inside out
   std::vector<std::vector<RimEdge>> Rims; ///< [operand]
 };

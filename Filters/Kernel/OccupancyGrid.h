@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OccupancyGrid.h
- * @brief Which cells of a regular grid are touched by one surface only, and which are shared by several.
+ * @brief Which cells of a regular grid are touched by one surface only, and which are shared by
+ * several.
  *
- * A mark is a word that holds the bits of a surface's number and their complements. A cell collects the union (bitwise
- * or) of the marks made in it; that has a bit together with its complement just when two of the surfaces differ. So the
- * order of the marks does not matter, and all threads mark at once.
+ * A mark is a word that holds the bits of a surface's number and their complements. A cell collects
+ * the union (bitwise or) of the marks made in it; that has a bit together with its complement just
+ * when two of the surfaces differ. So the order of the marks does not matter, and all threads mark
+ * at once.
  */
 #ifndef sb_OccupancyGrid_h
 #define sb_OccupancyGrid_h
@@ -68,8 +70,8 @@ struct CellRange
 };
 
 /**
- * A region in equal cells, a power of two of them on each axis. The outermost layers of cells stand for all that is
- * outside the region.
+ * A region in equal cells, a power of two of them on each axis. The outermost layers of cells stand
+ * for all that is outside the region.
  */
 class GridShape
 {
@@ -139,8 +141,9 @@ public:
   }
 
   /**
-   * Whether the box of points in these three cells touches no other cell: they are at most neighbours of the first, and
-   * on one axis only. Looks at all three axes of a code at once; the free bit is ignored.
+   * Whether the box of points in these three cells touches no other cell: they are at most
+   * neighbours of the first, and on one axis only. Looks at all three axes of a code at once; the
+   * free bit is ignored.
    */
   bool IsCompact(std::uint32_t a, std::uint32_t b, std::uint32_t c) const
   {
@@ -156,18 +159,19 @@ private:
   /** Not zero if a number of `a` is less than that of `b` by two or more. */
   std::uint32_t BeyondNext(std::uint32_t a, std::uint32_t b) const
   {
-    // With its guard bit set no number borrows from the next. What is left of the guard says that a + 1 >= b.
+    // With its guard bit set no number borrows from the next. What is left of the guard says that a
+    // + 1 >= b.
     return ~((a | this->Guards) - b + this->Ones) & this->Guards;
   }
 
   std::array<int, 3> Bits;
-  std::array<int, 3> Shift;           ///< where each number starts in a code
+  std::array<int, 3> Shift; ///< where each number starts in a code
   std::array<std::uint32_t, 3> Field; ///< and the bits it has there
   std::array<double, 3> Origin;
   std::array<double, 3> CellsAUnit;
-  std::uint32_t Ones = 0;    ///< the lowest bit of each number
+  std::uint32_t Ones = 0; ///< the lowest bit of each number
   std::uint32_t Numbers = 0; ///< all bits of the numbers
-  std::uint32_t Guards = 0;  ///< the bits above them
+  std::uint32_t Guards = 0; ///< the bits above them
 };
 
 /** The marks in the cells; a Word has twice as many bits as the surfaces' numbers need. */
@@ -177,7 +181,8 @@ class OccupancyGrid
 public:
   static constexpr Word Everybody = static_cast<Word>(~Word(0));
 
-  /** The surfaces that a word has no number for mark as everybody does, which is on the safe side. */
+  /** The surfaces that a word has no number for mark as everybody does, which is on the safe side.
+   */
   static Word MarkOf(std::int32_t surface)
   {
     const std::uint32_t number = static_cast<std::uint32_t>(surface);
@@ -201,7 +206,8 @@ public:
     }
   }
 
-  /** Mark the cell at an index of GridShape. May be called from all threads at once, like MarkRange. */
+  /** Mark the cell at an index of GridShape. May be called from all threads at once, like
+   * MarkRange. */
   void MarkCell(std::size_t index, Word mark) { Add(this->Levels.front()[index], mark); }
 
   /** Mark a range of cells, at the resolution of `level`. */
@@ -273,7 +279,8 @@ private:
     {
       for (std::int32_t y = cells.First[1]; y <= cells.Last[1]; ++y)
       {
-        const std::size_t row = (static_cast<std::size_t>(z) << bits[1] | static_cast<std::size_t>(y)) << bits[0];
+        const std::size_t row =
+          (static_cast<std::size_t>(z) << bits[1] | static_cast<std::size_t>(y)) << bits[0];
         for (std::int32_t x = cells.First[0]; x <= cells.Last[0]; ++x)
         {
           if (test(row | static_cast<std::size_t>(x)))

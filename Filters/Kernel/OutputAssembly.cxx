@@ -20,12 +20,11 @@ constexpr std::int32_t Used = 0;
 
 Fate Opposite(Fate fate)
 {
-  return fate == Fate::Kept ? Fate::KeptReversed
-    : fate == Fate::KeptReversed ? Fate::Kept
-                                 : fate;
+  return fate == Fate::Kept ? Fate::KeptReversed : fate == Fate::KeptReversed ? Fate::Kept : fate;
 }
 
-/** A corner of a piece that is not a corner of its face, and what makes it the same output point as another. */
+/** A corner of a piece that is not a corner of its face, and what makes it the same output point as
+ * another. */
 struct Instance
 {
   NodeId Node;
@@ -79,8 +78,8 @@ private:
       {
         const Piece& piece = this->Cuts.Pieces[std::size_t(cut.FirstPiece)];
         const std::int32_t operand = this->World.OperandOfFace(cut.Face);
-        this->Out.Fates[std::size_t(operand)]
-                       [std::size_t(cut.Face - this->World.FirstFace(operand))] =
+        this->Out
+          .Fates[std::size_t(operand)][std::size_t(cut.Face - this->World.FirstFace(operand))] =
           regionFates[std::size_t(piece.Region)];
       }
     }
@@ -117,14 +116,12 @@ private:
     const std::int32_t operands = this->World.NumberOfOperands();
     this->Out.PointMap.resize(std::size_t(operands));
     this->Out.KeptPoints.resize(std::size_t(operands));
-    this->Threads.For(operands, 1,
-      [&](std::int64_t begin, std::int64_t end)
+    this->Threads.For(operands, 1, [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t i = begin; i < end; ++i)
       {
-        for (std::int64_t i = begin; i < end; ++i)
-        {
-          this->MarkKept(static_cast<std::int32_t>(i));
-        }
-      });
+        this->MarkKept(static_cast<std::int32_t>(i));
+      }
+    });
     std::vector<Instance> instances = this->CollectInstances();
     if (this->Seams == SeamPoints::Shared)
     {
@@ -265,8 +262,8 @@ private:
   }
 
   /**
-   * Input points that are one node, but differ in what rounding to the lattice takes away, would leave a gap of that size:
-   * they all get the place of the lowest of them.
+   * Input points that are one node, but differ in what rounding to the lattice takes away, would
+   * leave a gap of that size: they all get the place of the lowest of them.
    */
   void ListMoved()
   {
@@ -306,8 +303,8 @@ private:
   std::int32_t& MarkOf(std::int32_t vertex)
   {
     const std::int32_t operand = this->World.OperandOfVertex(vertex);
-    return this->Out.PointMap[std::size_t(operand)]
-                             [std::size_t(vertex - this->World.FirstVertex(operand))];
+    return this->Out
+      .PointMap[std::size_t(operand)][std::size_t(vertex - this->World.FirstVertex(operand))];
   }
 
   void NumberKept()
@@ -357,9 +354,8 @@ private:
       }
     }
     this->Out.Interpolated.resize(created.size());
-    this->Threads.For(static_cast<std::int64_t>(created.size()), 1024,
-      [&](std::int64_t begin, std::int64_t end)
-      {
+    this->Threads.For(
+      static_cast<std::int64_t>(created.size()), 1024, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i)
         {
           this->Out.Interpolated[std::size_t(i)] =
@@ -373,8 +369,7 @@ private:
     const auto piece = std::size_t(corner / 3);
     InterpolatedPoint point;
     point.Operand = this->Out.Split.Operand[piece];
-    const std::int32_t face =
-      this->World.FirstFace(point.Operand) + this->Out.Split.Parent[piece];
+    const std::int32_t face = this->World.FirstFace(point.Operand) + this->Out.Split.Parent[piece];
     const std::array<std::int32_t, 3> vertices = this->World.Corners(point.Operand, face);
     std::array<const double*, 3> p;
     for (std::size_t i = 0; i < 3; ++i)
@@ -404,16 +399,16 @@ private:
           axis = i;
         }
       }
-      weights[to] = std::clamp(
-        (x[axis] - p[from][axis]) / (p[to][axis] - p[from][axis]), 0.0, 1.0);
+      weights[to] = std::clamp((x[axis] - p[from][axis]) / (p[to][axis] - p[from][axis]), 0.0, 1.0);
       weights[from] = 1.0 - weights[to];
       return weights;
     }
     const DominantNormal normal = ComputeDominantNormal(p[0], p[1], p[2]);
     const int u = (normal.Axis + 1) % 3;
     const int v = (normal.Axis + 2) % 3;
-    const auto area = [&](const double* a, const double* b)
-    { return (a[u] - x[u]) * (b[v] - x[v]) - (a[v] - x[v]) * (b[u] - x[u]); };
+    const auto area = [&](const double* a, const double* b) {
+      return (a[u] - x[u]) * (b[v] - x[v]) - (a[v] - x[v]) * (b[u] - x[u]);
+    };
     double sum = 0.0;
     for (std::size_t i = 0; i < 3; ++i)
     {
@@ -438,9 +433,8 @@ private:
       {
         if (IsCorner(piece.Where[k]))
         {
-          this->Out.Split.Corners[i][k] =
-            this->Out.PointMap[std::size_t(operand)]
-                              [std::size_t(this->PointOfCorner(operand, face, piece.Where[k]))];
+          this->Out.Split.Corners[i][k] = this->Out.PointMap[std::size_t(operand)][std::size_t(
+            this->PointOfCorner(operand, face, piece.Where[k]))];
         }
       }
     }
@@ -475,7 +469,7 @@ private:
   BooleanResult& Out;
   Executor& Threads;
   std::vector<std::int32_t> Selected; ///< the pieces in the result
-  std::vector<Alias> VertexOfNode;    ///< sorted by node
+  std::vector<Alias> VertexOfNode; ///< sorted by node
   std::vector<std::pair<std::int32_t, std::int32_t>> Shared;
   std::vector<Alias> Moved;
   std::int32_t NumberOfPoints = 0;

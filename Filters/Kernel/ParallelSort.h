@@ -4,7 +4,8 @@
  * @file ParallelSort.h
  * @brief Sorting and prefix sums over an Executor, the same result for any number of threads.
  *
- * RadixSort is the fast one where the order is that of an unsigned integer; ParallelSort takes any strict order.
+ * RadixSort is the fast one where the order is that of an unsigned integer; ParallelSort takes any
+ * strict order.
  */
 #ifndef sb_ParallelSort_h
 #define sb_ParallelSort_h
@@ -21,7 +22,8 @@
 namespace sb
 {
 
-/** What to sort by and what to carry along: a Morton code and the number of the box it stands for, for instance. */
+/** What to sort by and what to carry along: a Morton code and the number of the box it stands for,
+ * for instance. */
 struct KeyedIndex
 {
   std::uint64_t Key;
@@ -36,17 +38,18 @@ inline std::int64_t ExclusivePrefixSum(std::vector<std::int64_t>& values, Execut
     std::max<std::int64_t>(1 << 15, (count - 1) / executor.NumberOfThreads() + 1);
   std::vector<std::int64_t> sums(static_cast<std::size_t>((count + grain - 1) / grain), 0);
   const auto forEachBlock = [&](auto&& body) {
-    executor.For(static_cast<std::int64_t>(sums.size()), 1, [&](std::int64_t begin, std::int64_t end) {
-      for (std::int64_t block = begin; block < end; ++block)
-      {
-        std::int64_t& sum = sums[static_cast<std::size_t>(block)];
-        const std::int64_t last = std::min(count, (block + 1) * grain);
-        for (std::int64_t i = block * grain; i < last; ++i)
+    executor.For(
+      static_cast<std::int64_t>(sums.size()), 1, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t block = begin; block < end; ++block)
         {
-          body(values[static_cast<std::size_t>(i)], sum);
+          std::int64_t& sum = sums[static_cast<std::size_t>(block)];
+          const std::int64_t last = std::min(count, (block + 1) * grain);
+          for (std::int64_t i = block * grain; i < last; ++i)
+          {
+            body(values[static_cast<std::size_t>(i)], sum);
+          }
         }
-      }
-    });
+      });
   };
   forEachBlock([](std::int64_t value, std::int64_t& sum) { sum += value; });
   std::int64_t total = 0;
@@ -61,7 +64,8 @@ inline std::int64_t ExclusivePrefixSum(std::vector<std::int64_t>& values, Execut
 namespace detail
 {
 
-/** How many of the first `rank` elements of the merged sequence come from `left` (a binary search over the diagonal). */
+/** How many of the first `rank` elements of the merged sequence come from `left` (a binary search
+ * over the diagonal). */
 template <class T, class Less>
 std::size_t TakenFromLeft(const T* left, std::size_t leftSize, const T* right,
   std::size_t rightSize, std::size_t rank, const Less& less)
@@ -86,8 +90,8 @@ std::size_t TakenFromLeft(const T* left, std::size_t leftSize, const T* right,
 } // namespace detail
 
 /**
- * Sort by the strict order `less`. Elements that neither precedes must be equal in all that matters: their order is
- * the same for one number of threads only.
+ * Sort by the strict order `less`. Elements that neither precedes must be equal in all that
+ * matters: their order is the same for one number of threads only.
  */
 template <class T, class Less>
 void ParallelSort(std::vector<T>& values, Less less, Executor& executor)
@@ -100,7 +104,8 @@ void ParallelSort(std::vector<T>& values, Less less, Executor& executor)
   {
     runs *= 2;
   }
-  // Runs start at count * run / runs, so that two neighbours make exactly one run of the next round.
+  // Runs start at count * run / runs, so that two neighbours make exactly one run of the next
+  // round.
   const auto startOf = [count](std::size_t run, std::size_t numberOfRuns) {
     return count / numberOfRuns * run + count % numberOfRuns * run / numberOfRuns;
   };
@@ -150,8 +155,9 @@ void ParallelSort(std::vector<T>& values, Less less, Executor& executor)
 }
 
 /**
- * Stable sort by the `bits` lowest bits of key(value), an unsigned integer of 64 bits. Least significant digit first;
- * digits that all keys share cost a count only. Takes as much memory again as the values.
+ * Stable sort by the `bits` lowest bits of key(value), an unsigned integer of 64 bits. Least
+ * significant digit first; digits that all keys share cost a count only. Takes as much memory again
+ * as the values.
  */
 template <class T, class KeyOf>
 void RadixSort(std::vector<T>& values, KeyOf key, int bits, Executor& executor)

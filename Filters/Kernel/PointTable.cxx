@@ -9,8 +9,7 @@
 namespace sb
 {
 
-std::vector<NodeId> PointTable::Insert(
-  const std::vector<ContactPoint>& points, Executor& executor)
+std::vector<NodeId> PointTable::Insert(const std::vector<ContactPoint>& points, Executor& executor)
 {
   std::vector<Key> keys(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)

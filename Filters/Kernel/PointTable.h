@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PointTable.h
- * @brief One *node* for each geometric point of the arrangement, however many constructions lead to it.
+ * @brief One *node* for each geometric point of the arrangement, however many constructions lead to
+ * it.
  *
- * Points are equal where their exact rational coordinates are, never by a tolerance. A point's approximation is its exact
- * value correctly rounded, so equal points have equal approximations, whatever made them: sorting by approximation
- * brings them together, and an exact comparison decides among the few that have the same one.
+ * Points are equal where their exact rational coordinates are, never by a tolerance. A point's
+ * approximation is its exact value correctly rounded, so equal points have equal approximations,
+ * whatever made them: sorting by approximation brings them together, and an exact comparison
+ * decides among the few that have the same one.
  */
 #ifndef sb_PointTable_h
 #define sb_PointTable_h
@@ -26,7 +28,8 @@ class PointTable
 {
 public:
   /**
-   * Give each point its node: points that are equal, among themselves or to a node that exists, get the same one.
+   * Give each point its node: points that are equal, among themselves or to a node that exists, get
+   * the same one.
    * @return the node of each point, in their order.
    */
   std::vector<NodeId> Insert(const std::vector<ContactPoint>& points, Executor& executor);

@@ -34,10 +34,7 @@ DominantNormal ProbePlacement::NormalOf(std::int32_t face) const
     this->World.Position(corners[2]));
 }
 
-int ProbePlacement::NormalSign(std::int32_t face) const
-{
-  return this->NormalOf(face).Sign;
-}
+int ProbePlacement::NormalSign(std::int32_t face) const { return this->NormalOf(face).Sign; }
 
 Probe ProbePlacement::Place(std::int32_t face, std::int32_t region, int attempt) const
 {
@@ -65,15 +62,14 @@ Probe ProbePlacement::Place(std::int32_t face, std::int32_t region, int attempt)
     const std::size_t axis = (std::size_t(normal.Axis) + 1 + i) % 3;
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
-      probe.Place[i] += weights[corner] *
-        static_cast<std::int64_t>(this->World.Position(corners[corner])[axis]);
+      probe.Place[i] +=
+        weights[corner] * static_cast<std::int64_t>(this->World.Position(corners[corner])[axis]);
     }
   }
   return probe;
 }
 
-bool ProbePlacement::PlaceInPiece(
-  const Piece& piece, int sign, int attempt, Probe& probe) const
+bool ProbePlacement::PlaceInPiece(const Piece& piece, int sign, int attempt, Probe& probe) const
 {
   const std::array<std::int64_t, 3> weights = Weights(attempt);
   std::array<ExactPoint, 3> corners;
@@ -87,8 +83,7 @@ bool ProbePlacement::PlaceInPiece(
   {
     const std::size_t axis = (std::size_t(probe.Axis) + 1 + i) % 3;
     const double base = corners[0].Approximation()[axis];
-    const double offset =
-      double(weights[1]) * (corners[1].Approximation()[axis] - base) +
+    const double offset = double(weights[1]) * (corners[1].Approximation()[axis] - base) +
       double(weights[2]) * (corners[2].Approximation()[axis] - base);
     probe.Place[i] = static_cast<std::int64_t>(256.0 * base) + std::llround(offset);
   }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ProbePlacement.h
- * @brief Where to put the vertical line of a winding query so that it goes through the inside of a face or region.
+ * @brief Where to put the vertical line of a winding query so that it goes through the inside of a
+ * face or region.
  */
 #ifndef sb_ProbePlacement_h
 #define sb_ProbePlacement_h
@@ -24,7 +25,8 @@ public:
   {
   }
 
-  /** A line through an uncut face (region -1), or through a region of a cut one; another one for each attempt. */
+  /** A line through an uncut face (region -1), or through a region of a cut one; another one for
+   * each attempt. */
   Probe Place(std::int32_t face, std::int32_t region, int attempt) const;
 
   /** The sign of the face's normal along its dominant axis. */

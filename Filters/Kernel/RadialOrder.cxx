@@ -41,8 +41,8 @@ int RadialOrder::Turn(const Entry& a, const Entry& b)
 
 bool RadialOrder::IsOnSameSide(NodeId low, NodeId high, const Entry& a, const Entry& b) const
 {
-  const int side = Orient2D(this->Nodes.Point(low), this->Nodes.Point(high),
-    ExactPoint::Vertex(b.Witness), a.Normal.Axis);
+  const int side = Orient2D(
+    this->Nodes.Point(low), this->Nodes.Point(high), ExactPoint::Vertex(b.Witness), a.Normal.Axis);
   return side == (a.Piece.RunsUp ? a.Normal.Sign : -a.Normal.Sign);
 }
 
@@ -58,26 +58,24 @@ void RadialOrder::Sort(NodeId low, NodeId high, std::vector<HalfPlane>& pieces)
   {
     Entry& entry = this->Entries[i];
     const int turn = Turn(first, entry);
-    entry.Sector = turn > 0 ? 1
-      : turn < 0            ? 3
+    entry.Sector = turn > 0                         ? 1
+      : turn < 0                                    ? 3
       : this->IsOnSameSide(low, high, first, entry) ? 0
                                                     : 2;
   }
-  std::sort(this->Entries.begin(), this->Entries.end(),
-    [](const Entry& a, const Entry& b)
+  std::sort(this->Entries.begin(), this->Entries.end(), [](const Entry& a, const Entry& b) {
+    if (a.Sector != b.Sector)
     {
-      if (a.Sector != b.Sector)
-      {
-        return a.Sector < b.Sector;
-      }
-      const int turn = a.Sector % 2 == 0 ? 0 : Turn(a, b);
-      if (turn != 0)
-      {
-        return turn > 0;
-      }
-      const bool turnsAlongAxis = (a.Normal.Sign > 0) == a.Piece.RunsUp;
-      return turnsAlongAxis ? a.Piece.Face < b.Piece.Face : b.Piece.Face < a.Piece.Face;
-    });
+      return a.Sector < b.Sector;
+    }
+    const int turn = a.Sector % 2 == 0 ? 0 : Turn(a, b);
+    if (turn != 0)
+    {
+      return turn > 0;
+    }
+    const bool turnsAlongAxis = (a.Normal.Sign > 0) == a.Piece.RunsUp;
+    return turnsAlongAxis ? a.Piece.Face < b.Piece.Face : b.Piece.Face < a.Piece.Face;
+  });
   for (std::size_t i = 0; i < pieces.size(); ++i)
   {
     pieces[i] = this->Entries[i].Piece;

@@ -4,12 +4,14 @@
  * @file RadialOrder.h
  * @brief The order of pieces around an edge that they share.
  *
- * Each piece is a half-plane that ends at the edge, and stands in for its whole face there: which of two comes first is
- * on which side of one face's plane a corner of the other face lies, an orientation of four input vertices.
+ * Each piece is a half-plane that ends at the edge, and stands in for its whole face there: which
+ * of two comes first is on which side of one face's plane a corner of the other face lies, an
+ * orientation of four input vertices.
  *
- * Half-planes that coincide are put in layers, by face id along the positive direction of their plane's dominant axis.
- * The choice is arbitrary, but the same at every edge of that plane, as if every face had been moved by an infinitesimal
- * amount; so winding numbers between the layers are consistent.
+ * Half-planes that coincide are put in layers, by face id along the positive direction of their
+ * plane's dominant axis. The choice is arbitrary, but the same at every edge of that plane, as if
+ * every face had been moved by an infinitesimal amount; so winding numbers between the layers are
+ * consistent.
  */
 #ifndef sb_RadialOrder_h
 #define sb_RadialOrder_h
@@ -27,7 +29,8 @@ struct HalfPlane
 {
   std::int32_t Region;
   std::int32_t Face;
-  /** The piece runs from the edge's low end to its high end; its front then faces the direction of turning. */
+  /** The piece runs from the edge's low end to its high end; its front then faces the direction of
+   * turning. */
   bool RunsUp;
 };
 
@@ -40,11 +43,12 @@ public:
   {
   }
 
-  /** Sort counter-clockwise as seen from the high end looking down to the low end, starting anywhere. */
+  /** Sort counter-clockwise as seen from the high end looking down to the low end, starting
+   * anywhere. */
   void Sort(NodeId low, NodeId high, std::vector<HalfPlane>& pieces);
 
-  /** Of the pieces last sorted: +1 if number b follows number a within half a turn, -1 if it precedes it, 0 if both lie in
-   *  one plane. */
+  /** Of the pieces last sorted: +1 if number b follows number a within half a turn, -1 if it
+   * precedes it, 0 if both lie in one plane. */
   int Turn(std::size_t a, std::size_t b) const { return Turn(this->Entries[a], this->Entries[b]); }
 
 private:
@@ -54,7 +58,7 @@ private:
     std::array<const double*, 3> Corners;
     DominantNormal Normal;
     const double* Witness; ///< a corner of the face strictly on the piece's side of the edge's line
-    int Sector;            ///< 0 with the first piece, 1 up to half a turn, 2 opposite, 3 beyond
+    int Sector; ///< 0 with the first piece, 1 up to half a turn, 2 opposite, 3 beyond
   };
 
   Entry MakeEntry(NodeId low, NodeId high, const HalfPlane& piece) const;

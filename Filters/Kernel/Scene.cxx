@@ -24,8 +24,8 @@ double LargestMagnitude(const std::vector<OperandReport>& reports)
 }
 
 /**
- * The finest lattice, or a coarser one whose rounding moves no point by more than the tolerance: what is closer together
- * than the tolerance then tends to coincide, in every predicate alike.
+ * The finest lattice, or a coarser one whose rounding moves no point by more than the tolerance:
+ * what is closer together than the tolerance then tends to coincide, in every predicate alike.
  */
 Lattice ChooseLattice(double magnitude, double tolerance)
 {
@@ -53,7 +53,8 @@ Scene::Scene(const BooleanRequest& request, const std::vector<OperandReport>& re
   for (const Operand& operand : request.Operands)
   {
     // An operand without triangles is the empty set; its points take no part.
-    const std::int64_t points = operand.Mesh.NumberOfTriangles > 0 ? operand.Mesh.NumberOfPoints : 0;
+    const std::int64_t points =
+      operand.Mesh.NumberOfTriangles > 0 ? operand.Mesh.NumberOfPoints : 0;
     this->Meshes.push_back(operand.Mesh);
     this->Sides.push_back(operand.Side);
     this->FirstVertices.push_back(this->FirstVertices.back() + static_cast<std::int32_t>(points));
@@ -68,8 +69,7 @@ Scene::Scene(const BooleanRequest& request, const std::vector<OperandReport>& re
     const double* in = this->Meshes[operand].Points;
     double* out = this->Coordinates.get() + 3 * std::size_t(this->FirstVertices[operand]);
     executor.For(this->FirstVertices[operand + 1] - this->FirstVertices[operand], 1 << 15,
-      [&](std::int64_t begin, std::int64_t end)
-      {
+      [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i)
         {
           this->Units.Quantise(in + 3 * i, out + 3 * i);
@@ -79,8 +79,8 @@ Scene::Scene(const BooleanRequest& request, const std::vector<OperandReport>& re
     std::array<double, 6> bounds{};
     for (int corner = 0; corner < 2; ++corner)
     {
-      const double world[3] = { reports[operand].Bounds[corner], reports[operand].Bounds[2 + corner],
-        reports[operand].Bounds[4 + corner] };
+      const double world[3] = { reports[operand].Bounds[corner],
+        reports[operand].Bounds[2 + corner], reports[operand].Bounds[4 + corner] };
       double lattice[3];
       this->Units.Quantise(world, lattice);
       for (int axis = 0; axis < 3; ++axis)

@@ -4,8 +4,9 @@
  * @file Scene.h
  * @brief All operands on one integer lattice, under one numbering.
  *
- * Vertices and triangles of all operands are numbered through, operand by operand: a *vertex id* is the operand's
- * first vertex id plus the point id in its mesh, a *face id* likewise. Coordinates are integral doubles.
+ * Vertices and triangles of all operands are numbered through, operand by operand: a *vertex id* is
+ * the operand's first vertex id plus the point id in its mesh, a *face id* likewise. Coordinates
+ * are integral doubles.
  */
 #ifndef sb_Scene_h
 #define sb_Scene_h
@@ -27,8 +28,8 @@ class Scene
 {
 public:
   /**
-   * Put the operands on the lattice. `swapped` operands are read inside out. The request has to outlive the scene, and
-   * its coordinates and ids have to have been checked (Ingest.h).
+   * Put the operands on the lattice. `swapped` operands are read inside out. The request has to
+   * outlive the scene, and its coordinates and ids have to have been checked (Ingest.h).
    */
   Scene(const BooleanRequest& request, const std::vector<OperandReport>& reports,
     const std::vector<std::uint8_t>& swapped, Executor& executor);
@@ -40,14 +41,23 @@ public:
   std::int32_t FirstFace(std::int32_t operand) const { return this->FirstFaces[operand]; }
   const Surface& Mesh(std::int32_t operand) const { return this->Meshes[operand]; }
   Group Side(std::int32_t operand) const { return this->Sides[operand]; }
-  const std::array<double, 6>& Bounds(std::int32_t operand) const { return this->LatticeBounds[operand]; }
+  const std::array<double, 6>& Bounds(std::int32_t operand) const
+  {
+    return this->LatticeBounds[operand];
+  }
   const Lattice& Grid() const { return this->Units; }
 
   std::int32_t OperandOfFace(std::int32_t face) const { return Find(this->FirstFaces, face); }
-  std::int32_t OperandOfVertex(std::int32_t vertex) const { return Find(this->FirstVertices, vertex); }
+  std::int32_t OperandOfVertex(std::int32_t vertex) const
+  {
+    return Find(this->FirstVertices, vertex);
+  }
 
   /** Lattice coordinates of a vertex. */
-  const double* Position(std::int32_t vertex) const { return &this->Coordinates[3 * std::size_t(vertex)]; }
+  const double* Position(std::int32_t vertex) const
+  {
+    return &this->Coordinates[3 * std::size_t(vertex)];
+  }
 
   /** Vertex ids of a face, in the orientation in which the operand is read. */
   std::array<std::int32_t, 3> Corners(std::int32_t operand, std::int32_t face) const
@@ -87,7 +97,7 @@ private:
   std::vector<Group> Sides;
   std::vector<std::uint8_t> Swapped;
   std::vector<std::int32_t> FirstVertices; ///< one more than operands
-  std::vector<std::int32_t> FirstFaces;    ///< one more than operands
+  std::vector<std::int32_t> FirstFaces; ///< one more than operands
   std::unique_ptr<double[]> Coordinates; ///< three a vertex
   std::vector<std::array<double, 6>> LatticeBounds;
 };

@@ -31,10 +31,7 @@ Vector Difference(const Vector& a, const Vector& b)
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
 }
 
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+double Dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 Vector Cross(const Vector& a, const Vector& b)
 {
@@ -47,7 +44,8 @@ Vector Along(const Vector& from, const Vector& direction, double parameter)
     from[2] + parameter * direction[2] };
 }
 
-/** The point of triangle abc nearest to p (Ericson, "Real-Time Collision Detection", 2005, section 5.1.5). */
+/** The point of triangle abc nearest to p (Ericson, "Real-Time Collision Detection", 2005,
+ * section 5.1.5). */
 Vector NearestPoint(const Vector& p, const Vector& a, const Vector& b, const Vector& c)
 {
   const Vector ab = Difference(b, a);
@@ -114,7 +112,8 @@ void Vote(const std::vector<std::int32_t>& sheets, const std::vector<PieceAtEdge
       {
         continue;
       }
-      // The sheet's piece before this one shows the side that faces the direction of turning: the front if it runs up.
+      // The sheet's piece before this one shows the side that faces the direction of turning: the
+      // front if it runs up.
       std::size_t before = ofSheet.back();
       for (const std::size_t j : ofSheet)
       {
@@ -156,8 +155,7 @@ SheetSides CountVotes(std::vector<SheetVote> votes, std::vector<std::uint8_t>& n
 
 bool DistanceSign::IsBehind(std::int32_t face, std::int32_t sheet) const
 {
-  const auto position = [this](std::int32_t vertex)
-  {
+  const auto position = [this](std::int32_t vertex) {
     const double* p = this->World.Position(vertex);
     return Vector{ p[0], p[1], p[2] };
   };
@@ -183,7 +181,8 @@ bool DistanceSign::IsBehind(std::int32_t face, std::int32_t sheet) const
     {
       continue;
     }
-    // Of faces that are equally near (they share the nearest edge or vertex), the one seen most squarely decides.
+    // Of faces that are equally near (they share the nearest edge or vertex), the one seen most
+    // squarely decides.
     const double height = Dot(offset, normal) / length;
     const double steepness = distance > 0 ? std::abs(height) / std::sqrt(distance) : 1.0;
     if (distance < nearest * (1 - 1e-12) || steepness > bestSteepness)

@@ -4,9 +4,10 @@
  * @file SheetSides.h
  * @brief On which side of an open operand (a sheet) the patches of the others lie.
  *
- * Where a patch meets the sheet, the radial order at their common edges says it exactly, and every such edge gives a vote.
- * Patches that do not meet it take the sign of the distance to the nearest point of the sheet, as the source document
- * has it (Quammen, Weigle and Taylor 2011, sections 3 and 4).
+ * Where a patch meets the sheet, the radial order at their common edges says it exactly, and every
+ * such edge gives a vote. Patches that do not meet it take the sign of the distance to the nearest
+ * point of the sheet, as the source document has it (Quammen, Weigle and Taylor 2011, sections 3
+ * and 4).
  */
 #ifndef sb_SheetSides_h
 #define sb_SheetSides_h
@@ -63,7 +64,8 @@ public:
   {
   }
 
-  /** Whether the middle of a face lies behind the nearest point of the sheet. Linear in the sheet's faces. */
+  /** Whether the middle of a face lies behind the nearest point of the sheet. Linear in the sheet's
+   * faces. */
   bool IsBehind(std::int32_t face, std::int32_t sheet) const;
 
 private:

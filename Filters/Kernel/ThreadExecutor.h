@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ThreadExecutor.h
- * @brief An Executor over a fixed pool of standard threads, for tests and tools that have no host with one of its own.
+ * @brief An Executor over a fixed pool of standard threads, for tests and tools that have no host
+ * with one of its own.
  */
 #ifndef sb_ThreadExecutor_h
 #define sb_ThreadExecutor_h
@@ -23,9 +24,9 @@ namespace sb
 {
 
 /**
- * The ranges handed out are [0, grain), [grain, 2 grain), ... whatever the number of threads; only who runs which
- * differs. A For inside a For runs in the thread that asked for it. An exception thrown by the body is thrown again by
- * For, after all threads have stopped.
+ * The ranges handed out are [0, grain), [grain, 2 grain), ... whatever the number of threads; only
+ * who runs which differs. A For inside a For runs in the thread that asked for it. An exception
+ * thrown by the body is thrown again by For, after all threads have stopped.
  */
 class ThreadExecutor : public Executor
 {

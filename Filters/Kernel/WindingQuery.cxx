@@ -23,7 +23,8 @@ struct QueryGroup
   std::int32_t Operand;
   int Axis;
   std::vector<std::size_t> Queries;
-  std::vector<double> FirstCoordinates; ///< in lattice units, a double each: only to narrow the search
+  std::vector<double>
+    FirstCoordinates; ///< in lattice units, a double each: only to narrow the search
 };
 
 struct Answer
@@ -36,8 +37,7 @@ std::vector<QueryGroup> GroupQueries(const std::vector<WindingQuery>& queries)
 {
   std::vector<std::size_t> order(queries.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  const auto key = [&](std::size_t i)
-  {
+  const auto key = [&](std::size_t i) {
     const WindingQuery& query = queries[i];
     return std::make_tuple(query.Operand, query.Line.Axis, query.Line.Place[0], i);
   };
@@ -53,8 +53,7 @@ std::vector<QueryGroup> GroupQueries(const std::vector<WindingQuery>& queries)
       groups.push_back({ query.Operand, query.Line.Axis, {}, {} });
     }
     groups.back().Queries.push_back(i);
-    groups.back().FirstCoordinates.push_back(
-      static_cast<double>(query.Line.Place[0]) / Refinement);
+    groups.back().FirstCoordinates.push_back(static_cast<double>(query.Line.Place[0]) / Refinement);
   }
   return groups;
 }
@@ -78,8 +77,8 @@ public:
     const int v = (group.Axis + 2) % 3;
     const double uLow = std::min({ p[0][u], p[1][u], p[2][u] });
     const double uHigh = std::max({ p[0][u], p[1][u], p[2][u] });
-    const auto first = std::lower_bound(
-      group.FirstCoordinates.begin(), group.FirstCoordinates.end(), uLow);
+    const auto first =
+      std::lower_bound(group.FirstCoordinates.begin(), group.FirstCoordinates.end(), uLow);
     if (first == group.FirstCoordinates.end() || *first > uHigh)
     {
       return;
@@ -104,7 +103,8 @@ private:
     const int turn = Orient2D(p[0], p[1], p[2], line.Axis);
     if (turn == 0)
     {
-      return; // vertical: the line runs past it, or meets its edge, which the faces beside it notice
+      return; // vertical: the line runs past it, or meets its edge, which the faces beside it
+              // notice
     }
     bool onEdge = false;
     for (int edge = 0; edge < 3; ++edge)
@@ -159,8 +159,7 @@ void AnswerQueries(const Scene& scene, const std::vector<std::uint8_t>& collapse
   {
     const std::int32_t firstFace = scene.FirstFace(group.Operand);
     executor.For(scene.FirstFace(group.Operand + 1) - firstFace, 1 << 14,
-      [&](std::int64_t begin, std::int64_t end)
-      {
+      [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i)
         {
           const std::int32_t face = firstFace + static_cast<std::int32_t>(i);

@@ -4,9 +4,9 @@
  * @file WindingQuery.h
  * @brief Exact winding numbers just above a point of a face, by counting what lies above it.
  *
- * A vertical line (along the face's dominant axis) goes through a point inside the face; each face of the operand that
- * it meets higher up adds one if its front is up, and takes one off if its front is down. All queries to one operand are
- * answered in one pass over its faces.
+ * A vertical line (along the face's dominant axis) goes through a point inside the face; each face
+ * of the operand that it meets higher up adds one if its front is up, and takes one off if its
+ * front is down. All queries to one operand are answered in one pass over its faces.
  */
 #ifndef sb_WindingQuery_h
 #define sb_WindingQuery_h
@@ -25,7 +25,8 @@ struct Probe
 {
   std::int32_t Face = -1;
   int Axis = 2;
-  /** Where, in the projection that drops Axis: 256 times the lattice coordinates (Axis + 1) % 3 and (Axis + 2) % 3. */
+  /** Where, in the projection that drops Axis: 256 times the lattice coordinates (Axis + 1) % 3 and
+   * (Axis + 2) % 3. */
   std::array<std::int64_t, 2> Place{};
 };
 
@@ -33,13 +34,13 @@ struct WindingQuery
 {
   Probe Line;
   std::int32_t Operand = -1; ///< whose winding number is asked for
-  int Winding = 0;           ///< the answer
-  bool Degenerate = false;   ///< the line meets an edge, or a crossing of faces: ask again elsewhere
+  int Winding = 0; ///< the answer
+  bool Degenerate = false; ///< the line meets an edge, or a crossing of faces: ask again elsewhere
 };
 
 /**
- * Answer all queries. Faces of the operand in the plane of the probed face itself count by the layer they have in
- * RadialOrder.h. Faces marked in `collapsed` are passed over.
+ * Answer all queries. Faces of the operand in the plane of the probed face itself count by the
+ * layer they have in RadialOrder.h. Faces marked in `collapsed` are passed over.
  */
 void AnswerQueries(const Scene& scene, const std::vector<std::uint8_t>& collapsed,
   std::vector<WindingQuery>& queries, Executor& executor);

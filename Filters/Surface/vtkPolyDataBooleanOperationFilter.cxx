@@ -387,8 +387,23 @@ void vtkPolyDataBooleanOperationFilter::Run::BuildOutputs()
     : -1;
   const std::string name =
     remark.Operand >= 0 ? this->Filter->Inputs->Connections[remark.Operand].Name : "";
+  if (this->IsUnionOfOne() && this->Result.Condition == sb::Status::Ok)
+  {
+    const std::string sentence =
+      "There is only one surface, so its union is that surface; set Tool to unite it with another "
+      "one, or choose Resolve to unite its own overlapping parts.";
+    vtkWarningWithObjectMacro(this->Filter, << sentence);
+    this->AddFields(ONE_SURFACE, sentence);
+    return;
+  }
   this->AddFields(
     static_cast<int>(this->Result.Condition), sbvtk::ConditionSentence(remark, name, cell));
+}
+
+//------------------------------------------------------------------------------
+bool vtkPolyDataBooleanOperationFilter::Run::IsUnionOfOne() const
+{
+  return this->Filter->Operation == VTK_UNION && this->Operands.size() == 1;
 }
 
 //------------------------------------------------------------------------------

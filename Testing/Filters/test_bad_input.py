@@ -32,7 +32,7 @@ from meshes import EMPTY, box, cube
 # The numbers of the field array Status, which scripts rely on.
 OK, EMPTY_OPERAND, OPEN, NOT_SEPARATING, INSIDE_OUT = range(5)
 INCONSISTENT, BAD_COORDINATE, BAD_INDEX = 5, 6, 7
-ABORTED, BAD_REQUEST, NOT_A_SURFACE, MISSING_TOOL = 9, 10, 20, 21
+ABORTED, BAD_REQUEST, NOT_A_SURFACE, MISSING_TOOL, ONE_SURFACE = 9, 10, 20, 21, 23
 
 TOOL = cube(1.0, (0.5, 0.5, 0.5))
 
@@ -122,10 +122,10 @@ def test_a_missing_tool_is_asked_for(operation):
     assert_refused(boolean([cube(1.0)], [], operation), MISSING_TOOL, "Tool")
 
 
-def test_union_and_resolve_do_without_a_tool():
-    for operation in (UNION, RESOLVE):
-        result = boolean([cube(1.0)], [], operation)
-        assert (result.status, result.errors, result.volume) == (OK, [], 1.0)
+def test_resolve_does_without_a_tool():
+    result = boolean([cube(1.0)], [], RESOLVE)
+    assert (result.status, result.errors, result.warnings) == (OK, [], [])
+    assert result.volume == 1.0
 
 
 def test_a_missing_input_is_an_error_of_the_pipeline_and_gives_nothing():
@@ -355,3 +355,14 @@ def test_the_same_object_on_both_ports_is_fine():
     assert boolean([data], [data], INTERSECTION).volume == 1.0
     assert boolean([data], [data], DIFFERENCE).is_empty
     assert boolean([data, data], [], UNION).volume == 1.0
+
+
+def test_a_union_of_one_surface_is_that_surface_with_a_hint():
+    result = boolean([cube(1.0)], [], UNION)
+    assert result.status == ONE_SURFACE and len(result.warnings) == 1 and "Resolve" in result.message
+    assert result.volume == pytest.approx(1.0, rel=1e-15) and not result.errors
+
+
+def test_without_any_surface_the_sentence_names_input():
+    result = boolean([], [], UNION)
+    assert_refused(result, BAD_REQUEST, "Input")

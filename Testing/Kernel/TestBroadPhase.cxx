@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TestBroadPhase.cxx
- * @brief The broad phase and its hierarchy find what comparing every box with every other finds, in the same order.
+ * @brief The broad phase and its hierarchy find what comparing every box with every other finds, in
+ * the same order.
  */
 #include "BVH.h"
 #include "BroadPhase.h"
@@ -48,7 +49,10 @@ struct Mesh
   std::vector<std::int32_t> Triangles;
   bool Self = false;
 
-  std::int64_t NumberOfTriangles() const { return static_cast<std::int64_t>(this->Triangles.size() / 3); }
+  std::int64_t NumberOfTriangles() const
+  {
+    return static_cast<std::int64_t>(this->Triangles.size() / 3);
+  }
 
   void Add(const std::array<std::array<double, 3>, 3>& corners)
   {
@@ -67,7 +71,9 @@ struct Mesh
     {
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        const double x = this->Points[static_cast<std::size_t>(3 * this->Triangles[static_cast<std::size_t>(corner)]) + axis];
+        const double x = this->Points[static_cast<std::size_t>(
+                                        3 * this->Triangles[static_cast<std::size_t>(corner)]) +
+          axis];
         box.Lower[axis] = std::min(box.Lower[axis], x);
         box.Upper[axis] = std::max(box.Upper[axis], x);
       }
@@ -84,7 +90,8 @@ struct Mesh
       i == 0 ? void(all = this->BoxOf(i)) : sb::Enclose(all, this->BoxOf(i));
     }
     return { this->Points.data(), this->Triangles.data(), this->NumberOfTriangles(),
-      { all.Lower[0], all.Upper[0], all.Lower[1], all.Upper[1], all.Lower[2], all.Upper[2] }, this->Self };
+      { all.Lower[0], all.Upper[0], all.Lower[1], all.Upper[1], all.Lower[2], all.Upper[2] },
+      this->Self };
   }
 };
 
@@ -103,7 +110,8 @@ std::vector<TrianglePair> PairsByBruteForce(const Meshes& meshes)
   {
     for (std::int64_t i = 0; i < meshes[surface].NumberOfTriangles(); ++i)
     {
-      all.push_back({ static_cast<std::int32_t>(surface), static_cast<std::int32_t>(i), meshes[surface].BoxOf(i) });
+      all.push_back({ static_cast<std::int32_t>(surface), static_cast<std::int32_t>(i),
+        meshes[surface].BoxOf(i) });
     }
   }
   std::vector<TrianglePair> pairs;
@@ -169,12 +177,12 @@ std::array<std::array<double, 3>, 3> TriangleAbout(
 enum class Kind
 {
   Uniform,
-  AllSizes,   // six orders of magnitude, mixed
-  Needles,    // long along a random axis
-  Coplanar,   // all in one plane
-  Lattice,    // corners on a coarse lattice: boxes touch, coincide, degenerate to points and segments
-  FewHuge,    // two triangles across everything, the others tiny
-  Clustered,  // nearly all in one small corner
+  AllSizes, // six orders of magnitude, mixed
+  Needles, // long along a random axis
+  Coplanar, // all in one plane
+  Lattice, // corners on a coarse lattice: boxes touch, coincide, degenerate to points and segments
+  FewHuge, // two triangles across everything, the others tiny
+  Clustered, // nearly all in one small corner
   Duplicates, // all the same
   Count
 };
@@ -184,7 +192,8 @@ Mesh RandomSoup(Kind kind, int triangles, Random& random)
   Mesh mesh;
   for (int i = 0; i < triangles; ++i)
   {
-    std::array<double, 3> middle = { Uniform(random, -1.0, 1.0), Uniform(random, -1.0, 1.0), Uniform(random, -1.0, 1.0) };
+    std::array<double, 3> middle = { Uniform(random, -1.0, 1.0), Uniform(random, -1.0, 1.0),
+      Uniform(random, -1.0, 1.0) };
     double size = 0.05;
     if (kind == Kind::AllSizes)
     {
@@ -242,7 +251,9 @@ void SoupsOfEveryKind()
       Meshes meshes;
       for (int i = 0; i < surfaces; ++i)
       {
-        const int triangles = kind == static_cast<int>(Kind::Duplicates) ? 30 : round == 7 ? 3 : 200;
+        const int triangles = kind == static_cast<int>(Kind::Duplicates) ? 30
+          : round == 7                                                   ? 3
+                                                                         : 200;
         meshes.push_back(RandomSoup(static_cast<Kind>(kind), triangles * (1 + i % 3), random));
         meshes.back().Self = round % 3 == 1 || (round % 3 == 2 && i == 1);
       }
@@ -264,7 +275,8 @@ void SoupsOfTwoKinds()
   }
 }
 
-/** Moving and scaling all coordinates must not lose a pair, down to where they are no longer told apart. */
+/** Moving and scaling all coordinates must not lose a pair, down to where they are no longer told
+ * apart. */
 void FarFromTheOriginAndOfAnyScale()
 {
   Random random(3);
@@ -272,7 +284,8 @@ void FarFromTheOriginAndOfAnyScale()
   {
     for (const double scale : { 1e-300, 1e-30, 1e-6, 1.0, 1e6, 1e290 })
     {
-      Meshes meshes = { RandomSoup(Kind::Uniform, 300, random), RandomSoup(Kind::AllSizes, 300, random) };
+      Meshes meshes = { RandomSoup(Kind::Uniform, 300, random),
+        RandomSoup(Kind::AllSizes, 300, random) };
       for (Mesh& mesh : meshes)
       {
         for (double& x : mesh.Points)
@@ -316,8 +329,10 @@ Mesh Sphere(int meridians, int parallels, double radius, const std::array<double
     {
       const double theta = 2.0 * pi * i / meridians;
       const double phi = pi * j / parallels;
-      mesh.Points.insert(mesh.Points.end(), { middle[0] + radius * std::sin(phi) * std::cos(theta),
-        middle[1] + radius * std::sin(phi) * std::sin(theta), middle[2] + radius * std::cos(phi) });
+      mesh.Points.insert(mesh.Points.end(),
+        { middle[0] + radius * std::sin(phi) * std::cos(theta),
+          middle[1] + radius * std::sin(phi) * std::sin(theta),
+          middle[2] + radius * std::cos(phi) });
     }
   }
   for (int j = 0; j < parallels; ++j)
@@ -326,13 +341,15 @@ Mesh Sphere(int meridians, int parallels, double radius, const std::array<double
     {
       const int a = j * meridians + i;
       const int b = j * meridians + (i + 1) % meridians;
-      mesh.Triangles.insert(mesh.Triangles.end(), { a, a + meridians, b + meridians, a, b + meridians, b });
+      mesh.Triangles.insert(
+        mesh.Triangles.end(), { a, a + meridians, b + meridians, a, b + meridians, b });
     }
   }
   return mesh;
 }
 
-/** Sweep along x over the boxes of both spheres: an independent count where brute force is too slow. */
+/** Sweep along x over the boxes of both spheres: an independent count where brute force is too
+ * slow. */
 std::size_t CountBySweep(const Mesh& a, const Mesh& b)
 {
   std::vector<std::pair<Box, bool>> boxes;
@@ -343,13 +360,16 @@ std::size_t CountBySweep(const Mesh& a, const Mesh& b)
       boxes.emplace_back(mesh->BoxOf(i), mesh == &a);
     }
   }
-  std::sort(boxes.begin(), boxes.end(), [](const auto& p, const auto& q) { return p.first.Lower[0] < q.first.Lower[0]; });
+  std::sort(boxes.begin(), boxes.end(),
+    [](const auto& p, const auto& q) { return p.first.Lower[0] < q.first.Lower[0]; });
   std::size_t count = 0;
   for (std::size_t i = 0; i < boxes.size(); ++i)
   {
-    for (std::size_t j = i + 1; j < boxes.size() && boxes[j].first.Lower[0] <= boxes[i].first.Upper[0]; ++j)
+    for (std::size_t j = i + 1;
+         j < boxes.size() && boxes[j].first.Lower[0] <= boxes[i].first.Upper[0]; ++j)
     {
-      count += boxes[i].second != boxes[j].second && sb::Overlap(boxes[i].first, boxes[j].first) ? 1 : 0;
+      count +=
+        boxes[i].second != boxes[j].second && sb::Overlap(boxes[i].first, boxes[j].first) ? 1 : 0;
     }
   }
   return count;
@@ -365,7 +385,8 @@ void LargeSpheresAgreeWithASweep()
   CHECK(Find({ a, b }, 2) == pairs);
 }
 
-/** The numbers of pairs are proportional to the number of spheres, and those of disjoint spheres are none. */
+/** The numbers of pairs are proportional to the number of spheres, and those of disjoint spheres
+ * are none. */
 void ThousandSpheresOnAPlate()
 {
   Mesh plate;
@@ -376,13 +397,15 @@ void ThousandSpheresOnAPlate()
   {
     meshes.push_back(Sphere(16, 9, 1.0, { 3.0 * (i % 32), 3.0 * (i / 32), 0.0 }));
   }
-  // The box of either plate triangle is the whole plate; it meets the 32 triangles of each sphere's middle belt.
+  // The box of either plate triangle is the whole plate; it meets the 32 triangles of each sphere's
+  // middle belt.
   CHECK_EQUAL(Find(meshes, 2).size(), std::size_t(2 * 1000 * 32));
   meshes.front() = Mesh();
   CHECK_EQUAL(Find(meshes, 2).size(), std::size_t(0));
 }
 
-/** More surfaces than the occupancy grid has owners for, each a point, on top of each other two by two. */
+/** More surfaces than the occupancy grid has owners for, each a point, on top of each other two by
+ * two. */
 void SeventyThousandSurfaces()
 {
   Meshes meshes(70000);
@@ -406,7 +429,8 @@ void NothingComesOfNothing()
   empty.Self = true;
   CHECK(Find({ empty }, 1).empty());
   CHECK(Find({ Sphere(8, 4, 1.0, { 0.0, 0.0, 0.0 }) }, 1).empty());
-  CHECK(Find({ Sphere(8, 4, 1.0, { 0.0, 0.0, 0.0 }), Sphere(8, 4, 1.0, { 5.0, 0.0, 0.0 }) }, 1).empty());
+  CHECK(Find({ Sphere(8, 4, 1.0, { 0.0, 0.0, 0.0 }), Sphere(8, 4, 1.0, { 5.0, 0.0, 0.0 }) }, 1)
+          .empty());
 }
 
 /** Says stop after being asked some number of times. */
@@ -460,14 +484,16 @@ void HierarchyAnswersLikeAList()
       const Mesh questions = RandomSoup(Kind::AllSizes, 64, random);
       for (int i = 0; i < 64;)
       {
-        // One query alone, then two together, and so on; some of them are boxes of the hierarchy itself.
+        // One query alone, then two together, and so on; some of them are boxes of the hierarchy
+        // itself.
         const int together = std::min(1 + i % sb::BVH::Width, 64 - i);
         std::vector<sb::BVH::Query> queries;
         for (const int last = i + together; i < last; ++i)
         {
-          queries.push_back({ i % 2 == 0 || count == 0 ? questions.BoxOf(i)
-                                                       : boxes[static_cast<std::size_t>(i * 7 % count)],
-            i % 3 == 0 ? 0 : i * count / 64 });
+          queries.push_back(
+            { i % 2 == 0 || count == 0 ? questions.BoxOf(i)
+                                       : boxes[static_cast<std::size_t>(i * 7 % count)],
+              i % 3 == 0 ? 0 : i * count / 64 });
         }
         std::vector<std::pair<int, std::int32_t>> found;
         tree.ForEachOverlap(queries.data(), together,
@@ -478,7 +504,8 @@ void HierarchyAnswersLikeAList()
         {
           for (int j = queries[static_cast<std::size_t>(query)].First; j < count; ++j)
           {
-            if (sb::Overlap(queries[static_cast<std::size_t>(query)].Extent, boxes[static_cast<std::size_t>(j)]))
+            if (sb::Overlap(queries[static_cast<std::size_t>(query)].Extent,
+                  boxes[static_cast<std::size_t>(j)]))
             {
               expected.emplace_back(query, j);
             }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TestParallelSort.cxx
- * @brief Sorts and prefix sums agree with the standard library's, for any number of threads; so does the thread pool
- * cover each range once.
+ * @brief Sorts and prefix sums agree with the standard library's, for any number of threads; so
+ * does the thread pool cover each range once.
  */
 #include "Check.h"
 #include "ParallelSort.h"
