@@ -70,8 +70,8 @@ public:
     {
       return this->Finish();
     }
-    const Scene scene = this->Timed("Lattice", 0.1,
-      [&] { return Scene(this->Request, ingested.Reports, ingested.Swapped, this->Threads); });
+    const Scene scene =
+      this->Timed("Lattice", 0.1, [&] { return Scene(this->Request, ingested, this->Threads); });
     std::vector<std::uint8_t> self(this->Request.Operands.size(), 0);
     if (this->Request.Op == Operation::Resolve)
     {
@@ -143,7 +143,7 @@ private:
           ? scene.Position(0) + 3 * std::ptrdiff_t(scene.FirstVertex(i))
           : nullptr,
         scene.Mesh(i).Triangles, scene.Mesh(i).NumberOfTriangles, scene.Bounds(i),
-        self[std::size_t(i)] != 0 });
+        self[std::size_t(i)] != 0, &scene.Blocks(i) });
     }
     return FindOverlappingPairs(surfaces, this->Threads, this->Watch);
   }

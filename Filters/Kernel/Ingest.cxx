@@ -6,7 +6,6 @@
 #include "ParallelSort.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -28,20 +27,6 @@ struct TriangleSums
   double Volume = 0.0;
   double Area = 0.0;
   std::uint64_t Boundary = 0;
-};
-
-/** The box of a block of points. */
-struct PointBox
-{
-  std::array<double, 3> Low;
-  std::array<double, 3> High;
-  bool IsFinite = true;
-
-  PointBox()
-  {
-    this->Low.fill(std::numeric_limits<double>::infinity());
-    this->High.fill(-std::numeric_limits<double>::infinity());
-  }
 };
 
 std::uint64_t HashPoint(const double* p)
@@ -68,11 +53,8 @@ std::uint64_t HashEdge(std::uint64_t from, std::uint64_t to)
   return ((hash ^ negate) - negate) & differ;
 }
 
-/** Marks of the points that triangles use; several threads may set the same one. */
-using UseMarks = std::unique_ptr<std::atomic<std::uint8_t>[]>;
-
-TriangleSums MeasureTriangles(const Surface& mesh, const std::uint64_t* hashes,
-  std::atomic<std::uint8_t>* used, std::int64_t begin, std::int64_t end)
+TriangleSums MeasureTriangles(
+  const Surface& mesh, const std::uint64_t* hashes, std::int64_t begin, std::int64_t end)
 {
   TriangleSums sums;
   const auto limit = static_cast<std::uint32_t>(mesh.NumberOfPoints);
@@ -85,10 +67,6 @@ TriangleSums MeasureTriangles(const Surface& mesh, const std::uint64_t* hashes,
     {
       sums.BadIndex = i;
       return sums;
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      used[ids[k]].store(1, std::memory_order_relaxed);
     }
     const double* a = mesh.Points + 3 * std::int64_t(ids[0]);
     const double* b = mesh.Points + 3 * std::int64_t(ids[1]);
@@ -106,29 +84,6 @@ TriangleSums MeasureTriangles(const Surface& mesh, const std::uint64_t* hashes,
     sums.Boundary += HashEdge(ha, hb) + HashEdge(hb, hc) + HashEdge(hc, ha);
   }
   return sums;
-}
-
-PointBox MeasurePoints(
-  const Surface& mesh, const std::atomic<std::uint8_t>* used, std::int64_t begin, std::int64_t end)
-{
-  PointBox box;
-  double poison = 0.0; // not a number as soon as one coordinate is not finite
-  for (std::int64_t i = begin; i < end; ++i)
-  {
-    if (used[i].load(std::memory_order_relaxed) == 0)
-    {
-      continue;
-    }
-    const double* p = mesh.Points + 3 * i;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      box.Low[axis] = std::min(box.Low[axis], p[axis]);
-      box.High[axis] = std::max(box.High[axis], p[axis]);
-      poison += p[axis] * 0.0;
-    }
-  }
-  box.IsFinite = poison == 0.0;
-  return box;
 }
 
 bool IsFinite(const double* p)
@@ -261,10 +216,11 @@ public:
           hashes[std::size_t(i)] = HashPoint(this->Mesh.Points + 3 * i);
         }
       });
-    if (!this->MeasureAllTriangles(hashes) || !this->MeasureAllPoints())
+    if (!this->MeasureAllTriangles(hashes) || !this->HasGoodCoordinates())
     {
       return;
     }
+    this->MeasureBounds();
     if (!this->Result.Report.Closed)
     {
       this->Result.Remarks.push_back(Diagnose(this->Mesh, hashes, this->Result.Rim, this->Threads));
@@ -285,30 +241,30 @@ private:
     return this->Result.Remarks.back();
   }
 
-  template <class Block, class Measure>
-  std::vector<Block> MeasureBlocks(std::int64_t count, Measure&& measure)
-  {
-    std::vector<Block> blocks(std::size_t((count + BlockSize - 1) / BlockSize));
-    this->Threads.For(
-      static_cast<std::int64_t>(blocks.size()), 1, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i)
-        {
-          blocks[std::size_t(i)] = measure(i * BlockSize, std::min(count, (i + 1) * BlockSize));
-        }
-      });
-    return blocks;
-  }
-
   /** @return whether all point ids are good. */
   bool MeasureAllTriangles(const std::vector<std::uint64_t>& hashes)
   {
-    this->Used.reset(new std::atomic<std::uint8_t>[std::size_t(this->Mesh.NumberOfPoints)]());
-    const auto blocks = this->MeasureBlocks<TriangleSums>(
-      this->Mesh.NumberOfTriangles, [&](std::int64_t begin, std::int64_t end) {
-        return MeasureTriangles(this->Mesh, hashes.data(), this->Used.get(), begin, end);
+    const std::int64_t count = this->Mesh.NumberOfTriangles;
+    std::vector<TriangleSums> sums(
+      static_cast<std::size_t>((count + TriangleBlock::Size - 1) / TriangleBlock::Size));
+    this->Result.Blocks.resize(sums.size());
+    this->Threads.For(
+      static_cast<std::int64_t>(sums.size()), 64, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i)
+        {
+          const std::int64_t first = i * TriangleBlock::Size;
+          const std::int64_t last = std::min(count, first + TriangleBlock::Size);
+          TriangleSums& block = sums[std::size_t(i)];
+          block = MeasureTriangles(this->Mesh, hashes.data(), first, last);
+          if (block.BadIndex < 0)
+          {
+            this->Result.Blocks[std::size_t(i)] =
+              BlockOf(this->Mesh.Points, this->Mesh.Triangles, first, last);
+          }
+        }
       });
     TriangleSums total;
-    for (const TriangleSums& block : blocks)
+    for (const TriangleSums& block : sums)
     {
       if (block.BadIndex >= 0)
       {
@@ -326,37 +282,38 @@ private:
   }
 
   /** @return whether all points in use are finite. */
-  bool MeasureAllPoints()
+  bool HasGoodCoordinates()
   {
-    const auto blocks = this->MeasureBlocks<PointBox>(
-      this->Mesh.NumberOfPoints, [&](std::int64_t begin, std::int64_t end) {
-        return MeasurePoints(this->Mesh, this->Used.get(), begin, end);
-      });
-    PointBox total;
-    for (const PointBox& block : blocks)
+    // A coordinate that is not finite makes the area of its triangle, and so the sum, not finite;
+    // but so do coordinates beyond 1e150.
+    if (std::isfinite(this->Result.Report.Area))
     {
-      if (!block.IsFinite)
-      {
-        this->Result.Remarks.push_back(FindBadCoordinate(this->Mesh));
-        return false;
-      }
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        total.Low[axis] = std::min(total.Low[axis], block.Low[axis]);
-        total.High[axis] = std::max(total.High[axis], block.High[axis]);
-      }
+      return true;
+    }
+    const Remark remark = FindBadCoordinate(this->Mesh);
+    if (remark.Triangle >= 0)
+    {
+      this->Result.Remarks.push_back(remark);
+    }
+    return remark.Triangle < 0;
+  }
+
+  void MeasureBounds()
+  {
+    Box total = this->Result.Blocks.front().Bounds;
+    for (const TriangleBlock& block : this->Result.Blocks)
+    {
+      Enclose(total, block.Bounds);
     }
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      this->Result.Report.Bounds[2 * axis] = total.Low[axis];
-      this->Result.Report.Bounds[2 * axis + 1] = total.High[axis];
+      this->Result.Report.Bounds[2 * axis] = total.Lower[axis];
+      this->Result.Report.Bounds[2 * axis + 1] = total.Upper[axis];
     }
-    return true;
   }
 
   const Surface& Mesh;
   Executor& Threads;
-  UseMarks Used;
 };
 
 } // namespace
@@ -385,6 +342,7 @@ Ingested Ingest(const BooleanRequest& request, Executor& executor)
     result.Open.push_back(examination->IsOpen);
     result.Swapped.push_back(examination->IsInsideOut);
     result.Rims.push_back(examination->Rim);
+    result.Examinations.push_back(examination);
   }
   return result;
 }

@@ -14,6 +14,7 @@
 #define sb_Ingest_h
 
 #include "Boolean.h"
+#include "TriangleBlocks.h"
 
 #include <cstdint>
 #include <vector>
@@ -35,6 +36,7 @@ struct Examination
   bool IsOpen = false;
   bool IsInsideOut = false;
   std::vector<RimEdge> Rim;
+  std::vector<TriangleBlock> Blocks; ///< in the caller's coordinates
 };
 
 struct Ingested
@@ -44,6 +46,7 @@ struct Ingested
   std::vector<std::uint8_t> Open; ///< operands to be treated as sheets
   std::vector<std::uint8_t> Swapped; ///< closed operands that are inside out
   std::vector<std::vector<RimEdge>> Rims; ///< [operand]
+  std::vector<std::shared_ptr<const Examination>> Examinations; ///< [operand]
 };
 
 Ingested Ingest(const BooleanRequest& request, Executor& executor);

@@ -268,13 +268,19 @@ void vtkPolyDataBooleanOperationFilter::Run::Compute()
     request.Operands.push_back({ connection.Surface->Mesh(), connection.Side,
       connection.Surface->Examination(this->Executor) });
   }
+  const double secondsOfExaminations = this->Watch.Lap();
   this->PointArrays.emplace(this->Attributes(true));
   this->CellArrays.emplace(this->Attributes(false));
   sbvtk::KernelMonitor monitor(this->Filter, 0.05, 0.9);
   this->Result = sb::ComputeBoolean(request,
     this->PointArrays->IsEmpty() ? sb::SeamPoints::Shared : sb::SeamPoints::PerSide, this->Executor,
     monitor);
-  this->Times.insert(this->Times.end(), this->Result.Times.begin(), this->Result.Times.end());
+  for (sb::StageTime time : this->Result.Times)
+  {
+    // The kernel only looks at examinations that it is given.
+    time.Seconds += std::string(time.Name) == "Check" ? secondsOfExaminations : 0.0;
+    this->Times.push_back(time);
+  }
   this->Watch.Lap();
 }
 
