@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 namespace sb
 {
@@ -56,8 +55,7 @@ public:
 
   BooleanResult Run()
   {
-    if (this->Request.Operands.empty() || !(this->Request.Tolerance >= 0.0) ||
-      !std::isfinite(this->Request.Tolerance))
+    if (this->Request.Operands.empty())
     {
       this->AddRemark(Status::BadRequest);
       return this->Finish();

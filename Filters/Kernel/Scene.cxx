@@ -23,28 +23,10 @@ double LargestMagnitude(const std::vector<OperandReport>& reports)
   return largest;
 }
 
-/**
- * The finest lattice, or a coarser one whose rounding moves no point by more than the tolerance:
- * what is closer together than the tolerance then tends to coincide, in every predicate alike.
- */
-Lattice ChooseLattice(double magnitude, double tolerance)
-{
-  const Lattice finest = Lattice::ForMagnitude(magnitude);
-  if (!(tolerance > 0.0))
-  {
-    return finest;
-  }
-  // Rounding moves a point by at most half a step along each axis.
-  const double coarsestStep = 2.0 * tolerance / std::sqrt(3.0);
-  int binade = 0;
-  std::frexp(coarsestStep, &binade);
-  return 1 - binade < finest.Exponent ? Lattice::WithExponent(1 - binade) : finest;
-}
-
 } // namespace
 
 Scene::Scene(const BooleanRequest& request, const Ingested& ingested, Executor& executor)
-  : Units(ChooseLattice(LargestMagnitude(ingested.Reports), request.Tolerance))
+  : Units(Lattice::ForMagnitude(LargestMagnitude(ingested.Reports)))
   , Swapped(ingested.Swapped)
   , FirstVertices{ 0 }
   , FirstFaces{ 0 }

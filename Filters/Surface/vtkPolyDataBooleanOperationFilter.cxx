@@ -242,7 +242,7 @@ void vtkPolyDataBooleanOperationFilter::Run::ReadInputs()
       throw Failure{ static_cast<int>(remark.Condition),
         sbvtk::ConditionSentence(remark, connection.Name, -1) };
     }
-    if (connection.Surface && connection.Surface->IsConversionOf(surface))
+    if (connection.Surface && connection.Surface->IsConversionOf(surface, this->Filter->Tolerance))
     {
       connection.Surface->SetAttributesFrom(surface);
     }
@@ -250,7 +250,8 @@ void vtkPolyDataBooleanOperationFilter::Run::ReadInputs()
     {
       connection.Surface
         .reset(); // before its successor is made, so that both never need memory together
-      connection.Surface = std::make_shared<sbvtk::OperandSurface>(surface, this->Executor);
+      connection.Surface =
+        std::make_shared<sbvtk::OperandSurface>(surface, this->Executor, this->Filter->Tolerance);
     }
     this->Operands.push_back(connection.Surface);
   }
@@ -262,7 +263,6 @@ void vtkPolyDataBooleanOperationFilter::Run::Compute()
 {
   sb::BooleanRequest request;
   request.Op = static_cast<sb::Operation>(this->Filter->Operation);
-  request.Tolerance = this->Filter->Tolerance;
   for (const Connection& connection : this->Filter->Inputs->Connections)
   {
     request.Operands.push_back({ connection.Surface->Mesh(), connection.Side,
