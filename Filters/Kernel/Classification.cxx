@@ -214,7 +214,9 @@ private:
       static_cast<std::int64_t>(blocks.size()), 64, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t block = begin; block < end; ++block)
         {
-          if (!everywhere && !MeetsAny(blocks[std::size_t(block)].Bounds, boxes))
+          const Box& bounds = blocks[std::size_t(block)].Bounds;
+          const bool wholly = everywhere || IsInsideAny(bounds, boxes);
+          if (!wholly && !MeetsAny(bounds, boxes))
           {
             continue;
           }
@@ -222,7 +224,7 @@ private:
           for (std::int64_t i = block * TriangleBlock::Size; i < stop; ++i)
           {
             const std::int32_t face = first + static_cast<std::int32_t>(i);
-            if (everywhere || MeetsAny(this->BoxOf(operand, face), boxes))
+            if (wholly || MeetsAny(this->BoxOf(operand, face), boxes))
             {
               found[std::size_t(block)].push_back(face);
             }
@@ -253,19 +255,18 @@ private:
 
   static bool MeetsAny(const Box& box, const std::vector<std::array<double, 6>>& others)
   {
-    for (const std::array<double, 6>& other : others)
-    {
-      bool meets = true;
-      for (std::size_t axis = 0; axis < 3 && meets; ++axis)
-      {
-        meets = box.Lower[axis] <= other[2 * axis + 1] && box.Upper[axis] >= other[2 * axis];
-      }
-      if (meets)
-      {
-        return true;
-      }
-    }
-    return false;
+    return std::any_of(others.begin(), others.end(), [&box](const std::array<double, 6>& other) {
+      return box.Lower[0] <= other[1] && box.Upper[0] >= other[0] && box.Lower[1] <= other[3] &&
+        box.Upper[1] >= other[2] && box.Lower[2] <= other[5] && box.Upper[2] >= other[4];
+    });
+  }
+
+  static bool IsInsideAny(const Box& box, const std::vector<std::array<double, 6>>& others)
+  {
+    return std::any_of(others.begin(), others.end(), [&box](const std::array<double, 6>& other) {
+      return box.Lower[0] >= other[0] && box.Upper[0] <= other[1] && box.Lower[1] >= other[2] &&
+        box.Upper[1] <= other[3] && box.Lower[2] >= other[4] && box.Upper[2] <= other[5];
+    });
   }
 
   std::int32_t SetOfRegion(std::int32_t region) const

@@ -42,15 +42,18 @@ std::uint64_t HashPoint(const double* p)
   return hash;
 }
 
-/** A hash of a directed edge, minus that of the opposite one; without branches, which could not be
- * predicted. */
-std::uint64_t HashEdge(std::uint64_t from, std::uint64_t to)
+/**
+ * A triangle's area in a plane where each point lies at a random place, made of its hash. The area
+ * is a sum over the edges which changes its sign with their direction, so edges that are used both
+ * ways cancel, and those of a closed surface all do.
+ */
+std::uint64_t AreaAtRandomPlaces(std::uint64_t a, std::uint64_t b, std::uint64_t c)
 {
-  constexpr std::uint64_t odd = 0xd6e8feb86659fd93u;
-  const std::uint64_t hash = Mix(std::min(from, to) * odd + std::max(from, to));
-  const std::uint64_t negate = 0 - std::uint64_t(from > to);
-  const std::uint64_t differ = 0 - std::uint64_t(from != to);
-  return ((hash ^ negate) - negate) & differ;
+  const auto other = [](std::uint64_t hash) { return (hash ^ (hash >> 32)) * 0xd6e8feb86659fd93u; };
+  const std::uint64_t otherA = other(a);
+  const std::uint64_t otherB = other(b);
+  const std::uint64_t otherC = other(c);
+  return a * (otherB - otherC) + b * (otherC - otherA) + c * (otherA - otherB);
 }
 
 TriangleSums MeasureTriangles(
@@ -78,10 +81,7 @@ TriangleSums MeasureTriangles(
     sums.Volume +=
       (a[0] - origin[0]) * n[0] + (a[1] - origin[1]) * n[1] + (a[2] - origin[2]) * n[2];
     sums.Area += std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    const std::uint64_t ha = hashes[ids[0]];
-    const std::uint64_t hb = hashes[ids[1]];
-    const std::uint64_t hc = hashes[ids[2]];
-    sums.Boundary += HashEdge(ha, hb) + HashEdge(hb, hc) + HashEdge(hc, ha);
+    sums.Boundary += AreaAtRandomPlaces(hashes[ids[0]], hashes[ids[1]], hashes[ids[2]]);
   }
   return sums;
 }

@@ -5,10 +5,11 @@
  * @brief One pass over each operand that checks it and measures it.
  *
  * Whether a surface is closed is found without building its topology: a closed surface uses every
- * directed edge as often as its opposite, so the sum over all directed edges of a hash that changes
- * its sign with the direction is zero modulo 2^64. Hashes are of coordinates, so points that
- * coincide count as one. Only where the sum is not zero are the edges sorted, to say what is wrong
- * and where.
+ * directed edge as often as its opposite. Let each point have a random place in a plane (its two
+ * coordinates are hashes of its position, so points that coincide count as one). The area that the
+ * triangles have there, counted with their orientation, depends on the edges without an opposite
+ * alone; it is computed modulo 2^64, and zero if there are none. Only where it is not zero are the
+ * edges sorted, to say what is wrong and where.
  */
 #ifndef sb_Ingest_h
 #define sb_Ingest_h
