@@ -3,17 +3,14 @@
 #include "Boolean.h"
 
 #include "Arrangement.h"
-#include "BroadPhase.h"
 #include "Classification.h"
-#include "CollapsedFaces.h"
-#include "Contacts.h"
 #include "CurveJoining.h"
 #include "Ingest.h"
 #include "OutputAssembly.h"
 #include "Scene.h"
+#include "Stages.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace sb
 {
@@ -21,35 +18,16 @@ namespace sb
 namespace
 {
 
-/** Runs the stages one after the other, with the time of each. */
+/** Runs the stages one after the other. */
 class BooleanRun
 {
-  template <class Stage>
-  auto Timed(const char* name, double progress, Stage&& stage)
-  {
-    this->Watch.Progress(progress, name);
-    const auto start = std::chrono::steady_clock::now();
-    auto result = stage();
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    const auto known = std::find_if(this->Result.Times.begin(), this->Result.Times.end(),
-      [&](const StageTime& time) { return std::string(time.Name) == name; });
-    if (known != this->Result.Times.end())
-    {
-      known->Seconds += elapsed.count();
-    }
-    else
-    {
-      this->Result.Times.push_back({ name, elapsed.count() });
-    }
-    return result;
-  }
-
 public:
   BooleanRun(const BooleanRequest& request, SeamPoints seams, Executor& executor, Monitor& monitor)
     : Request(request)
     , Seams(seams)
     , Threads(executor)
     , Watch(monitor)
+    , Clock(this->Result.Times, monitor)
   {
   }
 
@@ -61,15 +39,15 @@ public:
       return this->Finish();
     }
     Ingested ingested =
-      this->Timed("Check", 0.02, [&] { return Ingest(this->Request, this->Threads); });
+      this->Clock.Timed("Check", 0.02, [&] { return Ingest(this->Request, this->Threads); });
     this->Result.Operands = ingested.Reports;
     this->Result.Remarks = ingested.Remarks;
-    if (this->HasError())
+    if (HasError(this->Result.Remarks))
     {
       return this->Finish();
     }
-    const Scene scene =
-      this->Timed("Lattice", 0.1, [&] { return Scene(this->Request, ingested, this->Threads); });
+    const Scene scene = this->Clock.Timed(
+      "Lattice", 0.1, [&] { return Scene(this->Request, ingested, this->Threads); });
     std::vector<std::uint8_t> self(this->Request.Operands.size(), 0);
     if (this->Request.Op == Operation::Resolve)
     {
@@ -90,20 +68,15 @@ private:
   /** @return whether the result is final; else `self` has grown. */
   bool Attempt(const Scene& scene, const Ingested& ingested, std::vector<std::uint8_t>& self)
   {
-    const std::vector<TrianglePair> pairs =
-      this->Timed("Near pairs", 0.15, [&] { return this->FindPairs(scene, self); });
-    ContactSet contacts;
+    const std::vector<TrianglePair> pairs = this->Clock.Timed(
+      "Near pairs", 0.15, [&] { return FindNearPairs(scene, self, this->Threads, this->Watch); });
     std::vector<std::uint8_t> collapsed;
-    this->Timed("Contacts", 0.3, [&] {
-      collapsed = FindCollapsedFaces(scene, pairs);
-      contacts = FindContacts(scene, pairs, collapsed, this->Threads, this->Watch);
-      StitchCollapsedFaces(scene, collapsed, contacts);
-      return 0;
-    });
-    const Arrangement cuts = this->Timed("Cuts", 0.5, [&] {
+    const ContactSet contacts = this->Clock.Timed("Contacts", 0.3,
+      [&] { return FindStitchedContacts(scene, pairs, collapsed, this->Threads, this->Watch); });
+    const Arrangement cuts = this->Clock.Timed("Cuts", 0.5, [&] {
       return MakeArrangement(scene, contacts, self, collapsed, this->Threads, this->Watch);
     });
-    Classification classes = this->Timed("Winding numbers", 0.7, [&] {
+    Classification classes = this->Clock.Timed("Winding numbers", 0.7, [&] {
       return Classify(
         { scene, cuts, this->Request.Op, self, ingested.Open, ingested.Rims, collapsed },
         this->Threads, this->Watch);
@@ -124,26 +97,12 @@ private:
       }
     }
     this->Result.NumberOfContacts = contacts.NumberOfPairs;
-    this->Timed("Output", 0.9, [&] {
+    this->Clock.Timed("Output", 0.9, [&] {
       this->Result.Intersection = JoinCurves(scene, cuts);
       AssembleOutput(scene, cuts, std::move(classes), this->Seams, this->Result, this->Threads);
       return 0;
     });
     return true;
-  }
-
-  std::vector<TrianglePair> FindPairs(const Scene& scene, const std::vector<std::uint8_t>& self)
-  {
-    std::vector<BroadPhaseSurface> surfaces;
-    for (std::int32_t i = 0; i < scene.NumberOfOperands(); ++i)
-    {
-      surfaces.push_back({ scene.NumberOfVertices() > 0
-          ? scene.Position(0) + 3 * std::ptrdiff_t(scene.FirstVertex(i))
-          : nullptr,
-        scene.Mesh(i).Triangles, scene.Mesh(i).NumberOfTriangles, scene.Bounds(i),
-        self[std::size_t(i)] != 0, &scene.Blocks(i) });
-    }
-    return FindOverlappingPairs(surfaces, this->Threads, this->Watch);
   }
 
   static bool GrowSelf(const std::vector<std::uint8_t>& found,
@@ -168,12 +127,6 @@ private:
     return this->Result.Remarks.back();
   }
 
-  bool HasError() const
-  {
-    return std::any_of(this->Result.Remarks.begin(), this->Result.Remarks.end(),
-      [](const Remark& remark) { return IsError(remark.Condition); });
-  }
-
   BooleanResult Finish()
   {
     if (this->Watch.Aborted())
@@ -184,10 +137,7 @@ private:
       this->Result = std::move(empty);
       this->AddRemark(Status::Aborted);
     }
-    for (const Remark& remark : this->Result.Remarks)
-    {
-      this->Result.Condition = std::max(this->Result.Condition, remark.Condition);
-    }
+    this->Result.Condition = GravestCondition(this->Result.Remarks);
     this->Watch.Progress(1.0, "Done");
     return std::move(this->Result);
   }
@@ -197,6 +147,7 @@ private:
   Executor& Threads;
   Monitor& Watch;
   BooleanResult Result;
+  StageClock Clock;
 };
 
 } // namespace

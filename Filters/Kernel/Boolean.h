@@ -171,11 +171,9 @@ struct StageTime
   double Seconds;
 };
 
-struct BooleanResult
+/** What became of the operands: what is left of them as it is, and what is cut to pieces. */
+struct CutSurfaces
 {
-  Status Condition = Status::Ok; ///< the gravest of Remarks
-  std::vector<Remark> Remarks;
-
   std::vector<std::vector<Fate>>
     Fates; ///< [operand][triangle]; an operand wholly dropped may have an empty vector
 
@@ -188,6 +186,13 @@ struct BooleanResult
   std::vector<InterpolatedPoint> Interpolated;
 
   Pieces Split;
+};
+
+struct BooleanResult : CutSurfaces
+{
+  Status Condition = Status::Ok; ///< the gravest of Remarks
+  std::vector<Remark> Remarks;
+
   Curves Intersection;
 
   std::vector<OperandReport> Operands;

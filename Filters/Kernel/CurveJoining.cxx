@@ -13,12 +13,6 @@ namespace sb
 namespace
 {
 
-struct Segment
-{
-  NodeId Ends[2];
-  Curves::Makers Makers;
-};
-
 /** One end of a segment, to find the segments at a node. */
 struct EndOfSegment
 {
@@ -31,37 +25,20 @@ struct EndOfSegment
   }
 };
 
-class Joiner
+/** Tells which edges of the arrangement are on a curve. */
+class SegmentFinder
 {
 public:
-  Joiner(const Scene& scene, const Arrangement& cuts)
+  SegmentFinder(const Scene& scene, const Arrangement& cuts, CurveKind kind)
     : World(scene)
     , Cuts(cuts)
+    , Kind(kind)
   {
   }
 
-  Curves Run()
+  std::vector<CurveSegment> Run()
   {
-    this->CollectSegments();
-    this->Taken.assign(this->Segments.size(), 0);
-    this->Result.Offsets.push_back(0);
-    // Open curves and those between branch points first; what remains are closed loops.
-    for (const bool loops : { false, true })
-    {
-      for (const EndOfSegment& end : this->Ends)
-      {
-        if (!this->Taken[std::size_t(end.Segment)] && (loops || this->Degree(end.Node) != 2))
-        {
-          this->Trace(end);
-        }
-      }
-    }
-    return std::move(this->Result);
-  }
-
-private:
-  void CollectSegments()
-  {
+    std::vector<CurveSegment> segments;
     const std::vector<EdgeUse>& uses = this->Cuts.EdgeUses;
     for (std::size_t first = 0; first < uses.size();)
     {
@@ -73,32 +50,41 @@ private:
         isContact = isContact || uses[end].IsContact;
         ++end;
       }
-      if (isContact && this->SurfacesPart(first, end))
+      if (isContact && this->OperandsMeet(first, end) && this->SurfacesPart(first, end))
       {
-        this->Segments.push_back(
-          { { uses[first].Low, uses[first].High }, this->MakersOf(first, end) });
+        segments.push_back({ { uses[first].Low, uses[first].High }, this->MakersOf(first, end) });
       }
       first = end;
     }
-    for (std::size_t i = 0; i < this->Segments.size(); ++i)
-    {
-      for (const NodeId node : this->Segments[i].Ends)
-      {
-        this->Ends.push_back({ node, static_cast<std::int32_t>(i) });
-      }
-    }
-    std::sort(this->Ends.begin(), this->Ends.end());
-    this->FirstEnd.assign(std::size_t(this->Cuts.Nodes.Size()) + 1, 0);
-    for (const EndOfSegment& end : this->Ends)
-    {
-      ++this->FirstEnd[std::size_t(end.Node) + 1];
-    }
-    std::partial_sum(this->FirstEnd.begin(), this->FirstEnd.end(), this->FirstEnd.begin());
+    return segments;
   }
 
+private:
   std::int32_t FaceOf(const EdgeUse& use) const
   {
     return this->Cuts.Regions[std::size_t(use.Region)].Face;
+  }
+  std::int32_t OperandOf(std::size_t use) const
+  {
+    return this->World.OperandOfFace(this->FaceOf(this->Cuts.EdgeUses[use]));
+  }
+
+  /** Whether it is more than one surface going on. */
+  bool OperandsMeet(std::size_t first, std::size_t end) const
+  {
+    if (this->Kind == CurveKind::All && end - first > 2)
+    {
+      return true;
+    }
+    const std::int32_t operand = this->OperandOf(first);
+    for (std::size_t i = first + 1; i < end; ++i)
+    {
+      if (this->OperandOf(i) != operand)
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Not so where all surfaces at the edge coincide on both of its sides. */
@@ -155,6 +141,59 @@ private:
       { a - this->World.FirstFace(operandA), b - this->World.FirstFace(operandB) } };
   }
 
+  const Scene& World;
+  const Arrangement& Cuts;
+  const CurveKind Kind;
+};
+
+class Joiner
+{
+public:
+  Joiner(const Scene& scene, const PointTable& nodes, const std::vector<CurveSegment>& segments)
+    : World(scene)
+    , Nodes(nodes)
+    , Segments(segments)
+  {
+  }
+
+  Curves Run()
+  {
+    this->SortEnds();
+    this->Taken.assign(this->Segments.size(), 0);
+    this->Result.Offsets.push_back(0);
+    // Open curves and those between branch points first; what remains are closed loops.
+    for (const bool loops : { false, true })
+    {
+      for (const EndOfSegment& end : this->Ends)
+      {
+        if (!this->Taken[std::size_t(end.Segment)] && (loops || this->Degree(end.Node) != 2))
+        {
+          this->Trace(end);
+        }
+      }
+    }
+    return std::move(this->Result);
+  }
+
+private:
+  void SortEnds()
+  {
+    for (std::size_t i = 0; i < this->Segments.size(); ++i)
+    {
+      for (const NodeId node : this->Segments[i].Ends)
+      {
+        this->Ends.push_back({ node, static_cast<std::int32_t>(i) });
+      }
+    }
+    std::sort(this->Ends.begin(), this->Ends.end());
+    this->FirstEnd.assign(std::size_t(this->Nodes.Size()) + 1, 0);
+    for (const EndOfSegment& end : this->Ends)
+    {
+      ++this->FirstEnd[std::size_t(end.Node) + 1];
+    }
+    std::partial_sum(this->FirstEnd.begin(), this->FirstEnd.end(), this->FirstEnd.begin());
+  }
+
   /** The range of Ends at a node. */
   std::pair<std::size_t, std::size_t> EndsAt(NodeId node) const
   {
@@ -171,13 +210,13 @@ private:
   {
     if (this->PointOfNode.empty())
     {
-      this->PointOfNode.assign(std::size_t(this->Cuts.Nodes.Size()), -1);
+      this->PointOfNode.assign(std::size_t(this->Nodes.Size()), -1);
     }
     std::int32_t& point = this->PointOfNode[std::size_t(node)];
     if (point < 0)
     {
       point = static_cast<std::int32_t>(this->Result.Points.size());
-      this->Result.Points.push_back(PlaceOfNode(this->World, this->Cuts.Nodes, node));
+      this->Result.Points.push_back(PlaceOfNode(this->World, this->Nodes, node));
     }
     return point;
   }
@@ -189,7 +228,7 @@ private:
     this->Result.Connectivity.push_back(this->PointOf(node));
     while (segment >= 0)
     {
-      const Segment& here = this->Segments[std::size_t(segment)];
+      const CurveSegment& here = this->Segments[std::size_t(segment)];
       this->Taken[std::size_t(segment)] = 1;
       this->Result.Segments.push_back(here.Makers);
       node = here.Ends[0] == node ? here.Ends[1] : here.Ends[0];
@@ -211,8 +250,8 @@ private:
   }
 
   const Scene& World;
-  const Arrangement& Cuts;
-  std::vector<Segment> Segments;
+  const PointTable& Nodes;
+  const std::vector<CurveSegment>& Segments;
   std::vector<EndOfSegment> Ends; ///< sorted
   std::vector<std::size_t> FirstEnd; ///< [node]
   std::vector<std::uint8_t> Taken;
@@ -222,6 +261,16 @@ private:
 
 } // namespace
 
-Curves JoinCurves(const Scene& scene, const Arrangement& cuts) { return Joiner(scene, cuts).Run(); }
+std::vector<CurveSegment> FindCurveSegments(
+  const Scene& scene, const Arrangement& cuts, CurveKind kind)
+{
+  return SegmentFinder(scene, cuts, kind).Run();
+}
+
+Curves JoinSegments(
+  const Scene& scene, const PointTable& nodes, const std::vector<CurveSegment>& segments)
+{
+  return Joiner(scene, nodes, segments).Run();
+}
 
 } // namespace sb

@@ -48,7 +48,7 @@ struct Instance
 class Assembler
 {
 public:
-  Assembler(const Scene& scene, const Arrangement& cuts, SeamPoints seams, BooleanResult& result,
+  Assembler(const Scene& scene, const Arrangement& cuts, SeamPoints seams, CutSurfaces& result,
     Executor& executor)
     : World(scene)
     , Cuts(cuts)
@@ -74,12 +74,12 @@ private:
     for (std::size_t i = 0; i < this->Cuts.Faces.size(); ++i)
     {
       const CutFace& cut = this->Cuts.Faces[i];
-      if (this->Cuts.EndOfPieces(i) - cut.FirstPiece == 1)
+      const std::int32_t operand = this->World.OperandOfFace(cut.Face);
+      std::vector<Fate>& fates = this->Out.Fates[std::size_t(operand)];
+      if (!fates.empty() && !IsGivenAsPieces(this->Cuts, i))
       {
         const Piece& piece = this->Cuts.Pieces[std::size_t(cut.FirstPiece)];
-        const std::int32_t operand = this->World.OperandOfFace(cut.Face);
-        this->Out
-          .Fates[std::size_t(operand)][std::size_t(cut.Face - this->World.FirstFace(operand))] =
+        fates[std::size_t(cut.Face - this->World.FirstFace(operand))] =
           regionFates[std::size_t(piece.Region)];
       }
     }
@@ -91,7 +91,7 @@ private:
     {
       const CutFace& cut = this->Cuts.Faces[i];
       const std::int32_t end = this->Cuts.EndOfPieces(i);
-      if (end - cut.FirstPiece == 1)
+      if (!IsGivenAsPieces(this->Cuts, i))
       {
         continue;
       }
@@ -466,7 +466,7 @@ private:
   const Scene& World;
   const Arrangement& Cuts;
   const SeamPoints Seams;
-  BooleanResult& Out;
+  CutSurfaces& Out;
   Executor& Threads;
   std::vector<std::int32_t> Selected; ///< the pieces in the result
   std::vector<Alias> VertexOfNode; ///< sorted by node
@@ -489,7 +489,7 @@ std::array<double, 3> PlaceOfNode(const Scene& scene, const PointTable& nodes, N
 }
 
 void AssembleOutput(const Scene& scene, const Arrangement& cuts, Classification&& classes,
-  SeamPoints seams, BooleanResult& result, Executor& executor)
+  SeamPoints seams, CutSurfaces& result, Executor& executor)
 {
   Assembler(scene, cuts, seams, result, executor).Run(std::move(classes));
 }

@@ -21,9 +21,16 @@
 namespace sb
 {
 
-/** Fill the Fates, PointMap, KeptPoints, Interpolated and Split of the result. */
+/** Fill the result. An operand whose Fates are empty has no part in it. */
 void AssembleOutput(const Scene& scene, const Arrangement& cuts, Classification&& classes,
-  SeamPoints seams, BooleanResult& result, Executor& executor);
+  SeamPoints seams, CutSurfaces& result, Executor& executor);
+
+/** Whether the assembly gives out a face of the arrangement as pieces: one that is a single piece
+ * stays a whole triangle. */
+inline bool IsGivenAsPieces(const Arrangement& cuts, std::size_t cutFace)
+{
+  return cuts.EndOfPieces(cutFace) - cuts.Faces[cutFace].FirstPiece > 1;
+}
 
 /** The place of a node in the caller's unit; an input vertex keeps its bytes. */
 std::array<double, 3> PlaceOfNode(const Scene& scene, const PointTable& nodes, NodeId node);

@@ -31,12 +31,12 @@ public:
   std::int64_t Cells = 0;
   std::int64_t Corners = 0;
 
-  void Triangle(std::int32_t, std::int32_t, std::int32_t, std::int32_t, bool)
+  void Triangle(std::int32_t, std::int32_t, std::int32_t, std::int32_t, std::int32_t, bool)
   {
     ++this->Cells;
     this->Corners += 3;
   }
-  void Polygon(std::int32_t, const std::vector<std::int32_t>& corners, bool)
+  void Polygon(std::int32_t, std::int32_t, const std::vector<std::int32_t>& corners, bool)
   {
     ++this->Cells;
     this->Corners += static_cast<std::int64_t>(corners.size());
@@ -56,18 +56,21 @@ public:
     , Source(surface.SourceIds->GetPointer(0) + part.FirstCell)
     , Original(surface.OriginalCellIds->GetPointer(0) + part.FirstCell)
     , Reversed(surface.Reversed.empty() ? nullptr : surface.Reversed.data() + part.FirstCell)
+    , Origin(surface.CellOrigins.empty() ? nullptr : surface.CellOrigins.data() + part.FirstCell)
   {
   }
 
-  void Triangle(std::int32_t cell, std::int32_t a, std::int32_t b, std::int32_t c, bool turn)
+  void Triangle(std::int32_t cell, std::int32_t origin, std::int32_t a, std::int32_t b,
+    std::int32_t c, bool turn)
   {
     this->Connectivity[this->Corner] = a;
     this->Connectivity[this->Corner + 1] = turn ? c : b;
     this->Connectivity[this->Corner + 2] = turn ? b : c;
     this->Corner += 3;
-    this->Finish(cell, turn);
+    this->Finish(cell, origin, turn);
   }
-  void Polygon(std::int32_t cell, const std::vector<std::int32_t>& corners, bool turn)
+  void Polygon(
+    std::int32_t cell, std::int32_t origin, const std::vector<std::int32_t>& corners, bool turn)
   {
     vtkTypeInt64* out = this->Connectivity + this->Corner;
     std::copy(corners.begin(), corners.end(), out);
@@ -76,11 +79,11 @@ public:
       std::reverse(out + 1, out + corners.size());
     }
     this->Corner += static_cast<std::int64_t>(corners.size());
-    this->Finish(cell, turn);
+    this->Finish(cell, origin, turn);
   }
 
 private:
-  void Finish(std::int32_t cell, bool turn)
+  void Finish(std::int32_t cell, std::int32_t origin, bool turn)
   {
     *this->End++ = this->Corner;
     *this->Source++ = this->Operand;
@@ -88,6 +91,10 @@ private:
     if (this->Reversed)
     {
       *this->Reversed++ = turn;
+    }
+    if (this->Origin)
+    {
+      *this->Origin++ = origin;
     }
   }
 
@@ -98,11 +105,12 @@ private:
   int* Source;
   vtkIdType* Original;
   std::uint8_t* Reversed;
+  std::int32_t* Origin;
 };
 
 //------------------------------------------------------------------------------
 ResultSurface::ResultSurface(const std::vector<std::shared_ptr<OperandSurface>>& operands,
-  const sb::BooleanResult& result, const ResultOptions& options, sb::Executor& executor)
+  const sb::CutSurfaces& result, const ResultOptions& options, sb::Executor& executor)
   : Operands(operands)
   , Result(result)
   , Options(options)
@@ -232,8 +240,9 @@ void ResultSurface::VisitTriangles(const Part& part, Sink& sink) const
     if (IsUntouched(fates[triangle]))
     {
       const std::int32_t* corners = triangles + 3 * triangle;
-      sink.Triangle(firstCell + static_cast<std::int32_t>(triangle), pointMap[corners[0]],
-        pointMap[corners[1]], pointMap[corners[2]],
+      const auto origin = static_cast<std::int32_t>(triangle);
+      sink.Triangle(firstCell + origin, origin, pointMap[corners[0]], pointMap[corners[1]],
+        pointMap[corners[2]],
         this->Options.TurnReversed && fates[triangle] == sb::Fate::KeptReversed);
     }
   }
@@ -261,7 +270,7 @@ void ResultSurface::VisitCells(const Part& part, Sink& sink) const
       {
         const std::int32_t* ids =
           surface.Mesh().Triangles + 3 * static_cast<std::int64_t>(triangle);
-        sink.Triangle(surface.FirstCell() + cell, pointMap[ids[0]], pointMap[ids[1]],
+        sink.Triangle(surface.FirstCell() + cell, triangle, pointMap[ids[0]], pointMap[ids[1]],
           pointMap[ids[2]],
           this->Options.TurnReversed && fates[triangle] == sb::Fate::KeptReversed);
       }
@@ -279,7 +288,7 @@ bool ResultSurface::VisitWholePolygon(
   const sb::Fate* fates = this->Result.Fates[operand].data();
   const std::int32_t begin = surface.FirstTriangle(polygon);
   const std::int32_t end = surface.FirstTriangle(polygon + 1);
-  if (begin == end || !IsUntouched(fates[begin]) ||
+  if (begin == end || !IsUntouched(fates[begin]) || this->IsLoose(operand, begin, end) ||
     std::any_of(
       fates + begin, fates + end, [fates, begin](sb::Fate fate) { return fate != fates[begin]; }))
   {
@@ -290,9 +299,21 @@ bool ResultSurface::VisitWholePolygon(
   {
     corner = this->Result.PointMap[operand][corner];
   }
-  sink.Polygon(surface.FirstCell() + polygon, corners,
+  sink.Polygon(surface.FirstCell() + polygon, begin, corners,
     this->Options.TurnReversed && fates[begin] == sb::Fate::KeptReversed);
   return true;
+}
+
+//------------------------------------------------------------------------------
+/** Whether any of the triangles is to be given out for itself. */
+bool ResultSurface::IsLoose(std::int32_t operand, std::int32_t begin, std::int32_t end) const
+{
+  if (this->Options.Loose.empty() || this->Options.Loose[operand].empty())
+  {
+    return false;
+  }
+  const std::uint8_t* loose = this->Options.Loose[operand].data();
+  return std::find(loose + begin, loose + end, 1) != loose + end;
 }
 
 //------------------------------------------------------------------------------
@@ -304,8 +325,8 @@ void ResultSurface::VisitPieces(const Part& part, Sink& sink) const
   {
     const std::int32_t piece = this->PieceOrder[place];
     const std::array<std::int32_t, 3>& corners = pieces.Corners[piece];
-    sink.Triangle(this->Operands[part.Operand]->CellOfTriangle(pieces.Parent[piece]), corners[0],
-      corners[1], corners[2], this->Options.TurnReversed && pieces.Reversed[piece]);
+    sink.Triangle(this->Operands[part.Operand]->CellOfTriangle(pieces.Parent[piece]), ~piece,
+      corners[0], corners[1], corners[2], this->Options.TurnReversed && pieces.Reversed[piece]);
   }
 }
 
@@ -335,6 +356,7 @@ void ResultSurface::Allocate()
   this->SourceIds->SetNumberOfValues(numberOfCells);
   this->OriginalCellIds->SetNumberOfValues(numberOfCells);
   this->Reversed.resize(this->Options.KeepReversal ? numberOfCells : 0);
+  this->CellOrigins.resize(this->Options.KeepOrigins ? numberOfCells : 0);
 }
 
 //------------------------------------------------------------------------------

@@ -34,13 +34,17 @@ struct ResultOptions
   /** Give reversed and other cells points of their own, so that each can have its own normal. Needs
    * KeepReversal. */
   bool SeparateReversed = false;
+  bool KeepOrigins = false; ///< remember which triangle or piece each cell is
+  /** [operand][triangle] 1: a polygon with this triangle is not passed on whole. Empty, or empty
+   * for an operand: there is none. */
+  std::vector<std::vector<std::uint8_t>> Loose;
 };
 
 class ResultSurface
 {
 public:
   ResultSurface(const std::vector<std::shared_ptr<OperandSurface>>& operands,
-    const sb::BooleanResult& result, const ResultOptions& options, sb::Executor& executor);
+    const sb::CutSurfaces& result, const ResultOptions& options, sb::Executor& executor);
 
   /** Give `output` the points and polygons, and the cell arrays SourceId and OriginalCellId. */
   void CopyTo(vtkPolyData* output, sb::Executor& executor) const;
@@ -50,6 +54,9 @@ public:
 
   /** Whether any cell is turned over; known only with KeepReversal. */
   bool HasReversed() const;
+  /** For each cell the triangle that it is (the first one, of a polygon), or ~piece. Known only
+   * with KeepOrigins. */
+  const std::vector<std::int32_t>& Origins() const { return this->CellOrigins; }
   /** For each cell 1 where it is turned over. */
   const std::vector<std::uint8_t>& ReversedCells() const { return this->Reversed; }
   std::vector<std::int32_t> OperandsOfCells() const;
@@ -87,6 +94,7 @@ private:
   template <typename Sink>
   bool VisitWholePolygon(std::int32_t operand, std::int32_t polygon,
     std::vector<std::int32_t>& corners, Sink& sink) const;
+  bool IsLoose(std::int32_t operand, std::int32_t begin, std::int32_t end) const;
   template <typename Sink>
   void VisitPieces(const Part& part, Sink& sink) const;
   void Place();
@@ -97,7 +105,7 @@ private:
   void CopyPoints(Value* target, sb::Executor& executor) const;
 
   const std::vector<std::shared_ptr<OperandSurface>>& Operands;
-  const sb::BooleanResult& Result;
+  const sb::CutSurfaces& Result;
   ResultOptions Options;
   std::vector<std::int32_t> PieceOrder; ///< pieces, operand by operand
   std::vector<Part> Parts;
@@ -106,6 +114,7 @@ private:
   vtkNew<vtkIntArray> SourceIds;
   vtkNew<vtkIdTypeArray> OriginalCellIds;
   std::vector<std::uint8_t> Reversed;
+  std::vector<std::int32_t> CellOrigins;
   TupleSources PointSources;
   TupleSources CellSources;
 };

@@ -3,32 +3,24 @@
 #include "vtkPolyDataBooleanOperationFilter.h"
 
 #include "AttributeUnion.h"
-#include "ConditionSentences.h"
+#include "FieldArrays.h"
 #include "KernelExecutor.h"
-#include "OperandSurface.h"
 #include "ResultCurves.h"
 #include "ResultMeasures.h"
 #include "ResultSurface.h"
-#include "SurfaceInput.h"
+#include "Stopwatch.h"
+#include "SurfaceConnections.h"
 #include "TimeSteps.h"
 
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkStringArray.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <new>
 #include <optional>
@@ -37,52 +29,9 @@
 
 vtkStandardNewMacro(vtkPolyDataBooleanOperationFilter);
 
-namespace
-{
-
-template <typename Array, typename Value>
-void AddField(vtkPolyData* output, const char* name, const std::vector<Value>& values)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i), values[i]);
-  }
-  output->GetFieldData()->AddArray(array);
-}
-
-/** Seconds since the last call, or since construction. */
-class Stopwatch
-{
-public:
-  double Lap()
-  {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - this->Last).count();
-    this->Last = now;
-    return seconds;
-  }
-
-private:
-  std::chrono::steady_clock::time_point Last = std::chrono::steady_clock::now();
-};
-
-} // namespace
-
-/** One connection of a port, and what is known of it from the last update. */
-struct vtkPolyDataBooleanOperationFilter::Connection
-{
-  std::string Name; ///< for sentences: "Input", "Tool 2"
-  sb::Group Side = sb::Group::Input;
-  sbvtk::SurfaceInput Input;
-  std::shared_ptr<sbvtk::OperandSurface> Surface;
-};
-
 struct vtkPolyDataBooleanOperationFilter::Cache
 {
-  std::vector<Connection> Connections;
+  sbvtk::SurfaceConnections Connections;
 };
 
 /** One update: its steps in their order, and what they share. */
@@ -101,13 +50,8 @@ public:
   void Execute();
 
 private:
-  struct Failure
-  {
-    int Status;
-    std::string Sentence;
-  };
+  using Failure = sbvtk::FilterFailure;
 
-  void NameConnections();
   void CheckSettings() const;
   void ReadInputs();
   void Compute();
@@ -115,7 +59,6 @@ private:
   void BuildOutputs();
   sbvtk::AttributeUnion Attributes(bool ofPoints);
   void Warn(const sbvtk::AttributeUnion& attributes);
-  bool AllFloat() const;
   void Fail(const Failure& failure);
   void AddFields(int status, const std::string& message);
   bool IsUnionOfOne() const;
@@ -125,7 +68,7 @@ private:
   vtkPolyData* Surface;
   vtkPolyData* Curves;
   sbvtk::KernelExecutor Executor;
-  Stopwatch Watch;
+  sbvtk::Stopwatch Watch;
   std::vector<std::shared_ptr<sbvtk::OperandSurface>> Operands;
   std::optional<sbvtk::AttributeUnion> PointArrays;
   std::optional<sbvtk::AttributeUnion> CellArrays;
@@ -139,7 +82,7 @@ void vtkPolyDataBooleanOperationFilter::Run::Execute()
 {
   try
   {
-    this->NameConnections();
+    sbvtk::MatchConnections(this->Filter->Inputs->Connections, this->Inputs);
     this->CheckSettings();
     this->ReadInputs();
     this->Compute();
@@ -155,30 +98,6 @@ void vtkPolyDataBooleanOperationFilter::Run::Execute()
     this->Fail({ OUT_OF_MEMORY,
       "The result does not fit into memory; decimate the inputs or close other data first." });
   }
-}
-
-//------------------------------------------------------------------------------
-/** Match the connections with those of the last update, whose conversions may still serve. */
-void vtkPolyDataBooleanOperationFilter::Run::NameConnections()
-{
-  std::vector<Connection> connections;
-  std::vector<Connection>& last = this->Filter->Inputs->Connections;
-  for (const sb::Group side : { sb::Group::Input, sb::Group::Tool })
-  {
-    const bool isInput = side == sb::Group::Input;
-    const int count = this->Inputs[isInput ? 0 : 1]->GetNumberOfInformationObjects();
-    for (int i = 0; i < count; ++i)
-    {
-      const std::string name =
-        std::string(isInput ? "Input" : "Tool") + (count > 1 ? " " + std::to_string(i + 1) : "");
-      const auto known = std::find_if(last.begin(), last.end(),
-        [&name](const Connection& connection) { return connection.Name == name; });
-      connections.push_back(known == last.end() ? Connection() : *known);
-      connections.back().Name = name;
-      connections.back().Side = side;
-    }
-  }
-  last.swap(connections);
 }
 
 //------------------------------------------------------------------------------
@@ -223,38 +142,10 @@ void vtkPolyDataBooleanOperationFilter::Run::CheckSettings() const
 //------------------------------------------------------------------------------
 void vtkPolyDataBooleanOperationFilter::Run::ReadInputs()
 {
-  std::vector<Connection>& connections = this->Filter->Inputs->Connections;
-  int place[2] = { 0, 0 };
-  for (Connection& connection : connections)
-  {
-    const int port = connection.Side == sb::Group::Input ? 0 : 1;
-    const std::string refusal = connection.Input.Read(
-      vtkDataObject::GetData(this->Inputs[port], place[port]++), this->Executor);
-    if (!refusal.empty())
-    {
-      throw Failure{ NOT_A_SURFACE, connection.Name + " " + refusal };
-    }
-    vtkPolyData* surface = connection.Input.Surface();
-    if (!sbvtk::OperandSurface::FitsInt32(surface))
-    {
-      sb::Remark remark;
-      remark.Condition = sb::Status::TooLarge;
-      throw Failure{ static_cast<int>(remark.Condition),
-        sbvtk::ConditionSentence(remark, connection.Name, -1) };
-    }
-    if (connection.Surface && connection.Surface->IsConversionOf(surface, this->Filter->Tolerance))
-    {
-      connection.Surface->SetAttributesFrom(surface);
-    }
-    else
-    {
-      connection.Surface
-        .reset(); // before its successor is made, so that both never need memory together
-      connection.Surface =
-        std::make_shared<sbvtk::OperandSurface>(surface, this->Executor, this->Filter->Tolerance);
-    }
-    this->Operands.push_back(connection.Surface);
-  }
+  sbvtk::SurfaceConnections& connections = this->Filter->Inputs->Connections;
+  sbvtk::ReadConnections(
+    connections, this->Inputs, NOT_A_SURFACE, this->Filter->Tolerance, this->Executor);
+  this->Operands = sbvtk::SurfacesOf(connections);
   this->Times.push_back({ "Read inputs", this->Watch.Lap() });
 }
 
@@ -263,7 +154,7 @@ void vtkPolyDataBooleanOperationFilter::Run::Compute()
 {
   sb::BooleanRequest request;
   request.Op = static_cast<sb::Operation>(this->Filter->Operation);
-  for (const Connection& connection : this->Filter->Inputs->Connections)
+  for (const sbvtk::SurfaceConnection& connection : this->Filter->Inputs->Connections)
   {
     request.Operands.push_back({ connection.Surface->Mesh(), connection.Side,
       connection.Surface->Examination(this->Executor) });
@@ -275,12 +166,7 @@ void vtkPolyDataBooleanOperationFilter::Run::Compute()
   this->Result = sb::ComputeBoolean(request,
     this->PointArrays->IsEmpty() ? sb::SeamPoints::Shared : sb::SeamPoints::PerSide, this->Executor,
     monitor);
-  for (sb::StageTime time : this->Result.Times)
-  {
-    // The kernel only looks at examinations that it is given.
-    time.Seconds += std::string(time.Name) == "Check" ? secondsOfExaminations : 0.0;
-    this->Times.push_back(time);
-  }
+  sbvtk::AppendTimes(this->Result.Times, secondsOfExaminations, this->Times);
   this->Watch.Lap();
 }
 
@@ -290,13 +176,7 @@ void vtkPolyDataBooleanOperationFilter::Run::Report()
 {
   for (const sb::Remark& remark : this->Result.Remarks)
   {
-    const bool placed = remark.Operand >= 0;
-    const std::string name =
-      placed ? this->Filter->Inputs->Connections[remark.Operand].Name : std::string("An input");
-    const std::int64_t cell = placed && remark.Triangle >= 0
-      ? this->Operands[remark.Operand]->CellOfTriangle(remark.Triangle)
-      : -1;
-    const std::string sentence = sbvtk::ConditionSentence(remark, name, cell);
+    const std::string sentence = sbvtk::RemarkSentence(remark, this->Filter->Inputs->Connections);
     if (sb::IsError(remark.Condition))
     {
       throw Failure{ static_cast<int>(remark.Condition), sentence };
@@ -311,7 +191,7 @@ void vtkPolyDataBooleanOperationFilter::Run::Report()
     sb::Remark remark;
     remark.Condition = this->Result.Condition;
     throw Failure{ static_cast<int>(this->Result.Condition),
-      sbvtk::ConditionSentence(remark, "An input", -1) };
+      sbvtk::RemarkSentence(remark, this->Filter->Inputs->Connections) };
   }
 }
 
@@ -319,15 +199,9 @@ void vtkPolyDataBooleanOperationFilter::Run::Report()
 sbvtk::AttributeUnion vtkPolyDataBooleanOperationFilter::Run::Attributes(bool ofPoints)
 {
   std::vector<sbvtk::AttributeUnion::Source> sources;
-  for (const Connection& connection : this->Filter->Inputs->Connections)
+  for (const sbvtk::SurfaceConnection& connection : this->Filter->Inputs->Connections)
   {
-    vtkPolyData* data = connection.Surface->Data();
-    sbvtk::AttributeUnion::Source source;
-    source.Attributes =
-      ofPoints ? static_cast<vtkDataSetAttributes*>(data->GetPointData()) : data->GetCellData();
-    source.NumberOfTuples = ofPoints ? data->GetNumberOfPoints() : data->GetNumberOfCells();
-    source.Name = connection.Name;
-    sources.push_back(source);
+    sources.push_back(sbvtk::AttributesOf(connection, ofPoints));
   }
   return sbvtk::AttributeUnion(sources, ofPoints ? "point" : "cell");
 }
@@ -342,17 +216,6 @@ void vtkPolyDataBooleanOperationFilter::Run::Warn(const sbvtk::AttributeUnion& a
 }
 
 //------------------------------------------------------------------------------
-bool vtkPolyDataBooleanOperationFilter::Run::AllFloat() const
-{
-  return std::all_of(this->Operands.begin(), this->Operands.end(),
-    [](const std::shared_ptr<sbvtk::OperandSurface>& operand) {
-      vtkPoints* points = operand->Data()->GetPoints();
-      return !points || points->GetNumberOfPoints() == 0 ||
-        vtkFloatArray::FastDownCast(points->GetData()) != nullptr;
-    });
-}
-
-//------------------------------------------------------------------------------
 void vtkPolyDataBooleanOperationFilter::Run::BuildOutputs()
 {
   const bool difference = this->Filter->Operation == VTK_DIFFERENCE ||
@@ -363,7 +226,7 @@ void vtkPolyDataBooleanOperationFilter::Run::BuildOutputs()
   this->Warn(cellArrays);
 
   sbvtk::ResultOptions options;
-  options.SinglePrecision = this->AllFloat();
+  options.SinglePrecision = sbvtk::HaveFloatPoints(this->Filter->Inputs->Connections);
   options.TurnReversed = !difference || this->Filter->ReorientDifferenceCells;
   options.SeparateReversed = pointArrays.HasNormals();
   options.KeepReversal = pointArrays.HasNormals() || cellArrays.HasNormals();
@@ -387,12 +250,7 @@ void vtkPolyDataBooleanOperationFilter::Run::BuildOutputs()
 
   const auto gravest = std::find_if(this->Result.Remarks.begin(), this->Result.Remarks.end(),
     [this](const sb::Remark& remark) { return remark.Condition == this->Result.Condition; });
-  sb::Remark remark = gravest == this->Result.Remarks.end() ? sb::Remark() : *gravest;
-  const std::int64_t cell = remark.Operand >= 0 && remark.Triangle >= 0
-    ? this->Operands[remark.Operand]->CellOfTriangle(remark.Triangle)
-    : -1;
-  const std::string name =
-    remark.Operand >= 0 ? this->Filter->Inputs->Connections[remark.Operand].Name : "";
+  const sb::Remark remark = gravest == this->Result.Remarks.end() ? sb::Remark() : *gravest;
   if (this->IsUnionOfOne() && this->Result.Condition == sb::Status::Ok)
   {
     const std::string sentence =
@@ -402,8 +260,8 @@ void vtkPolyDataBooleanOperationFilter::Run::BuildOutputs()
     this->AddFields(ONE_SURFACE, sentence);
     return;
   }
-  this->AddFields(
-    static_cast<int>(this->Result.Condition), sbvtk::ConditionSentence(remark, name, cell));
+  this->AddFields(static_cast<int>(this->Result.Condition),
+    sbvtk::RemarkSentence(remark, this->Filter->Inputs->Connections));
 }
 
 //------------------------------------------------------------------------------
@@ -438,24 +296,17 @@ void vtkPolyDataBooleanOperationFilter::Run::AddFields(int status, const std::st
     volumes.push_back(operand.Volume);
     areas.push_back(operand.Area);
   }
-  std::vector<std::string> stageNames;
-  std::vector<double> stageSeconds;
-  for (const sb::StageTime& time : this->Times)
-  {
-    stageNames.emplace_back(time.Name);
-    stageSeconds.push_back(time.Seconds);
-  }
-  AddField<vtkIntArray>(this->Surface, "Status", std::vector<int>{ status });
-  AddField<vtkStringArray>(this->Surface, "Message", std::vector<std::string>{ message });
-  AddField<vtkDoubleArray>(this->Surface, "OperandVolume", volumes);
-  AddField<vtkDoubleArray>(this->Surface, "OperandArea", areas);
-  AddField<vtkDoubleArray>(
+  sbvtk::AddField<vtkIntArray>(this->Surface, "Status", std::vector<int>{ status });
+  sbvtk::AddField<vtkStringArray>(this->Surface, "Message", std::vector<std::string>{ message });
+  sbvtk::AddField<vtkDoubleArray>(this->Surface, "OperandVolume", volumes);
+  sbvtk::AddField<vtkDoubleArray>(this->Surface, "OperandArea", areas);
+  sbvtk::AddField<vtkDoubleArray>(
     this->Surface, "ResultVolume", std::vector<double>{ this->Measures.Volume });
-  AddField<vtkDoubleArray>(this->Surface, "ResultArea", std::vector<double>{ this->Measures.Area });
-  AddField<vtkIdTypeArray>(
+  sbvtk::AddField<vtkDoubleArray>(
+    this->Surface, "ResultArea", std::vector<double>{ this->Measures.Area });
+  sbvtk::AddField<vtkIdTypeArray>(
     this->Surface, "ContactCount", std::vector<vtkIdType>{ this->Result.NumberOfContacts });
-  AddField<vtkStringArray>(this->Surface, "StageNames", stageNames);
-  AddField<vtkDoubleArray>(this->Surface, "StageSeconds", stageSeconds);
+  sbvtk::AddStageFields(this->Surface, this->Times);
 }
 
 //------------------------------------------------------------------------------

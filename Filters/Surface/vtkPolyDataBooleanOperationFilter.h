@@ -146,7 +146,6 @@ private:
   void operator=(const vtkPolyDataBooleanOperationFilter&) = delete;
 
   class Run;
-  struct Connection;
   struct Cache;
 
   int Operation = VTK_UNION;

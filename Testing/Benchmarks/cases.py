@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The benchmark's inputs, and the volumes that their results must have.
+"""The benchmark's inputs, and the volumes (of curves, the lengths) that their results must have.
 
 Everything is made with numpy from a fixed seed: the same bytes on every machine. A mesh is a pair (points, triangles):
 float64 of shape (n, 3) and int32 of shape (m, 3), outward oriented and closed.
@@ -15,15 +15,19 @@ from dataclasses import dataclass, field
 import numpy as np
 
 
+# The curves in which two surfaces meet: alone, or with both surfaces cut along them.
+CURVES = ("curves", "curves and cut surfaces")
+
+
 @dataclass
 class Case:
     """One comparison: (union of input) operation (union of tool)."""
 
     name: str
-    operation: str  # "union", "intersection" or "difference"
+    operation: str  # "union", "intersection" or "difference", or one of CURVES
     input: list
     tool: list
-    volume: float
+    volume: float  # or the length of the curves
     tolerance: float  # absolute, same unit as volume
     contenders: tuple = ("ours", "manifold3d", "trueform", "trueform-float", "meshlib")
     triangles: int = field(init=False)
@@ -174,23 +178,67 @@ def bumpy_radius(directions, phase):
     return 1 + 0.05 * np.sin(x) * np.sin(y) * np.sin(z)
 
 
+BUMPS = np.array([[0.1, 0.2, 0.3], [1.3, 1.9, 2.6]]).reshape(2, 3, 1)
+
+
+def bumpy_meshes(frequency):
+    sphere = icosphere(frequency)
+    first = sphere[0] * bumpy_radius(sphere[0], BUMPS[0])[:, None], sphere[1]
+    turned = sphere[0] @ GENERIC.T
+    return first, (turned * bumpy_radius(turned, BUMPS[1])[:, None], sphere[1])
+
+
 def bumpy_spheres(frequency):
     """Two concentric spheres whose bumps cross each other everywhere: the intersection curves are long."""
-    sphere = icosphere(frequency)
-    phases = np.array([[0.1, 0.2, 0.3], [1.3, 1.9, 2.6]]).reshape(2, 3, 1)
-    first = sphere[0] * bumpy_radius(sphere[0], phases[0])[:, None], sphere[1]
-    turned = sphere[0] @ GENERIC.T
-    second = turned * bumpy_radius(turned, phases[1])[:, None], sphere[1]
-
+    first, second = bumpy_meshes(frequency)
     cosine, weights = np.polynomial.legendre.leggauss(800)
     angle = np.arange(1600) * (2 * np.pi / 1600)
     sine = np.sqrt(1 - cosine**2)[:, None]
     directions = np.stack(
         [sine * np.cos(angle), sine * np.sin(angle), np.repeat(cosine[:, None], len(angle), 1)], axis=-1
     ).reshape(-1, 3)
-    radius = [bumpy_radius(directions, phase).reshape(800, 1600) for phase in phases]
+    radius = [bumpy_radius(directions, phase).reshape(800, 1600) for phase in BUMPS]
     volume = float(weights @ (np.maximum(*radius) ** 3).sum(axis=1)) * (2 * np.pi / 1600) / 3
     yield Case("bumpy union", "union", [first], [second], volume, volume * 40 / frequency**2)
+
+
+def bumpy_curves(frequency):
+    """The curves of the same two: the directions in which their radii are equal, found on a grid of directions."""
+    cosine, angle = np.linspace(-1, 1, 1601), np.linspace(0, 2 * np.pi, 3201)
+    sine = np.sqrt(1 - cosine**2)[:, None]
+    directions = np.stack(
+        [sine * np.cos(angle), sine * np.sin(angle), np.repeat(cosine[:, None], len(angle), 1)], axis=-1
+    )
+    radii = [bumpy_radius(directions.reshape(-1, 3), phase).reshape(sine.size, -1) for phase in BUMPS]
+    places, height = directions * radii[0][..., None], radii[0] - radii[1]
+    corners = [(slice(a, a - 1 or None), slice(b, b - 1 or None)) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+    length = 0.0
+    for k, m in ((1, 2), (2, 3)):  # each square of the grid is two triangles, in which both radii are taken as linear
+        points = np.stack([places[corners[i]] for i in (0, k, m)], axis=2).reshape(-1, 3, 3)
+        values = np.stack([height[corners[i]] for i in (0, k, m)], axis=2).reshape(-1, 3)
+        above = values > 0
+        crossed = above.any(axis=1) & ~above.all(axis=1)
+        points, values, above = points[crossed], values[crossed], above[crossed]
+        lone = np.where(above.sum(axis=1) == 1, above.argmax(axis=1), (~above).argmax(axis=1))
+        row = np.arange(len(lone))
+        ends = []
+        for step in (1, 2):
+            other = (lone + step) % 3
+            share = values[row, lone] / (values[row, lone] - values[row, other])
+            ends.append(points[row, lone] * (1 - share[:, None]) + points[row, other] * share[:, None])
+        length += float(np.linalg.norm(ends[1] - ends[0], axis=1).sum())
+    first, second = bumpy_meshes(frequency)
+    peers = ("ours", "trueform", "trueform-float")
+    yield Case("bumpy curves", CURVES[0], [first], [second], length, 0.01 * length, peers)
+
+
+def sphere_curves(frequency):
+    """Two unit spheres meet in a circle."""
+    centre = np.array([0.5, 0.3, 0.2])
+    sphere = icosphere(frequency)
+    length = 2 * np.pi * np.sqrt(1 - centre @ centre / 4)
+    for operation in CURVES:
+        yield Case(operation, operation, [sphere], [placed(sphere, centre)], length, 0.01 * length, ("ours", "vtk"))
 
 
 def small_tool(frequency):
@@ -243,6 +291,8 @@ def all_cases(quick):
     operations = ("union", "intersection", "difference")
     yield from two_spheres(16 if quick else 256, operations)
     yield from bumpy_spheres(40 if quick else 158)
+    yield from bumpy_curves(40 if quick else 224)
+    yield from sphere_curves(16 if quick else 50)
     yield from small_tool(32 if quick else 224)
     yield from plate_minus_spheres((10, 20, 40) if quick else (250, 500, 1000))
     yield from many_spheres((5, 10) if quick else (25, 50), 8 if quick else 32)

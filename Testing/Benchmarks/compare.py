@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Compares our Boolean filter with its peers in one run: `make bench`, or `make bench PEERS=all`.
+"""Compares our Boolean and intersection filters with their peers in one run: `make bench`, or `make bench PEERS=all`.
 
 Every contender goes from raw numpy arrays to raw arrays (the whole update, with all the structures it builds) in a
 process of its own. Contenders take turns at every repetition, so that a machine that slows down slows all of them. Told
@@ -27,7 +27,7 @@ from statistics import median
 
 import numpy as np
 
-from cases import all_cases
+from cases import CURVES, all_cases
 
 HERE = Path(__file__).resolve().parent
 PERMISSIVE = ("ours", "manifold3d", "vtk")
@@ -43,6 +43,8 @@ TIME_TARGETS = (
     *(("small tool", peer, 0.3) for peer in ("trueform", "trueform-float")),
     ("small tool", "manifold3d", 0.1),
     ("plate - 1000", "manifold3d", 1.0),
+    *(("bumpy curves", peer, 1.0) for peer in ("trueform", "trueform-float")),
+    *((case, "vtk", 0.05) for case in CURVES),
 )
 MEMORY_TARGETS = tuple((case, "trueform", 1.0) for case in (*SPHERES, "bumpy union", "small tool", "plate - 1000"))
 MOVED_TARGETS = tuple((case, 0.5) for case in (*SPHERES, "bumpy union", "small tool"))

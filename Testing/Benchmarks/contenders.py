@@ -4,13 +4,15 @@
 
 `prepare` is not timed: it turns the case's arrays into the element types that the contender takes without a copy.
 `update` is timed: it builds every structure anew, computes, and gives back (points, triangles, keep), where `keep`
-holds what shall be destroyed after the clock has stopped. Each contender is driven as its documentation shows.
+holds what shall be destroyed after the clock has stopped. Curves are given back as (points, (offsets, point ids), keep):
+polyline k is ids[offsets[k]:offsets[k + 1]]. Each contender is driven as its documentation shows.
 """
 
 import functools
 
 import numpy as np
 
+from cases import CURVES
 
 class Contender:
     def prepare(self, operation, input, tool):
@@ -53,7 +55,20 @@ class VTKFilter(Contender):
         self.id_type = np.int64
         return vtkVersion.GetVTKVersion()
 
+    def run(self, filter, surfaces):
+        if self.operation in CURVES:
+            filter.SetSplitFirstOutput(self.operation != CURVES[0])
+            filter.SetSplitSecondOutput(self.operation != CURVES[0])
+        else:
+            getattr(filter, f"SetOperationTo{self.operation.capitalize()}")()
+        filter.Update()
+        return *self.arrays(filter.GetOutput()), (filter, surfaces)
+
     def arrays(self, surface):
+        if self.operation in CURVES:
+            lines = surface.GetLines()
+            ids = self.to_numpy(lines.GetConnectivityArray()), self.to_numpy(lines.GetOffsetsArray())
+            return self.to_numpy(surface.GetPoints().GetData()), ids[::-1]
         if surface.GetNumberOfCells() == 0:
             return np.zeros((0, 3)), np.zeros((0, 3), dtype=np.int64)
         connectivity = self.to_numpy(surface.GetPolys().GetConnectivityArray())
@@ -63,22 +78,20 @@ class VTKFilter(Contender):
 
 
 class Ours(VTKFilter):
-    """surfacebooleans.vtk.vtkPolyDataBooleanOperationFilter."""
+    """surfacebooleans.vtk.vtkPolyDataBooleanOperationFilter, and vtkPolyDataIntersection."""
 
     def __init__(self):
-        from surfacebooleans.vtk import vtkPolyDataBooleanOperationFilter
+        from surfacebooleans.vtk import vtkPolyDataBooleanOperationFilter, vtkPolyDataIntersection
 
-        self.filter_class = vtkPolyDataBooleanOperationFilter
+        self.filter_class, self.curves_class = vtkPolyDataBooleanOperationFilter, vtkPolyDataIntersection
         self.version = f"this tree, VTK {self.import_vtk()}"
 
     def update(self):
         surfaces = [self.surface(*mesh) for mesh in self.meshes]
-        filter = self.filter_class()
+        filter = self.curves_class() if self.operation in CURVES else self.filter_class()
         for k, surface in enumerate(surfaces):
             filter.AddInputDataObject(0 if k < self.number_of_inputs else 1, surface)
-        getattr(filter, f"SetOperationTo{self.operation.capitalize()}")()
-        filter.Update()
-        return *self.arrays(filter.GetOutput()), (filter, surfaces)
+        return self.run(filter, surfaces)
 
     def move_tool(self, keep, distance):
         """Gives the tools of an earlier update other points, as a transform would; not timed."""
@@ -93,22 +106,20 @@ class Ours(VTKFilter):
 
 
 class VTK(VTKFilter):
-    """VTK's own vtkBooleanOperationPolyDataFilter, of the wheel on PyPI."""
+    """VTK's own vtkBooleanOperationPolyDataFilter and vtkIntersectionPolyDataFilter, of the wheel on PyPI."""
 
     def __init__(self):
         self.version = self.import_vtk()
-        from vtkmodules.vtkFiltersGeneral import vtkBooleanOperationPolyDataFilter
+        from vtkmodules.vtkFiltersGeneral import vtkBooleanOperationPolyDataFilter, vtkIntersectionPolyDataFilter
 
-        self.filter_class = vtkBooleanOperationPolyDataFilter
+        self.filter_class, self.curves_class = vtkBooleanOperationPolyDataFilter, vtkIntersectionPolyDataFilter
 
     def update(self):
         surfaces = [self.surface(*mesh) for mesh in self.meshes]
-        filter = self.filter_class()
+        filter = self.curves_class() if self.operation in CURVES else self.filter_class()
         filter.SetInputData(0, surfaces[0])
         filter.SetInputData(1, surfaces[1])
-        getattr(filter, f"SetOperationTo{self.operation.capitalize()}")()
-        filter.Update()
-        return *self.arrays(filter.GetOutput()), (filter, surfaces)
+        return self.run(filter, surfaces)
 
 
 class Manifold(Contender):
@@ -151,6 +162,9 @@ class Trueform(Contender):
 
     def update(self):
         meshes = [self.module.Mesh(*mesh) for mesh in self.meshes]
+        if self.operation in CURVES:
+            paths, points = self.module.intersection_curves(*meshes)
+            return points, (paths.offsets, paths.data), (meshes, paths)
         if len(meshes) == 2:
             (triangles, points), *labels = getattr(self.module, f"boolean_{self.operation}")(*meshes)
             return points, triangles, (meshes, labels)

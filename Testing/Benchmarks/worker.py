@@ -4,7 +4,7 @@
 
 Started as `worker.py CONTENDER CASE_DIRECTORY`. It obeys one word a line on standard input and answers with one line of
 JSON: `first` (an update whose memory is measured; the warm-up), `run` (a timed update), `moved` (a timed update of
-what `run` left after the tool alone was moved), `check` (volume and open edges of the first update's result).
+what `run` left after the tool alone was moved), `check` (`figures` of the first update's result).
 """
 
 import gc
@@ -67,6 +67,26 @@ def open_edges(points, triangles):
     return int(np.count_nonzero(balance))
 
 
+def segments(polylines):
+    """Pairs of point ids; of polygons given as arrays of corners, nothing is changed."""
+    if not isinstance(polylines, tuple):
+        return np.array(polylines)
+    offsets, ids = (np.asarray(part, dtype=np.int64) for part in polylines)
+    inner = np.ones(len(ids), dtype=bool)
+    inner[offsets[1:] - 1] = False
+    first = np.flatnonzero(inner)
+    return np.stack([ids[first], ids[first + 1]], axis=1)
+
+
+def figures(points, cells):
+    """The volume and the open edges of a surface; of curves, the length and the places where they end."""
+    if cells.shape[1] == 3:
+        return {"volume": mesh_volume((points, cells)) if len(cells) else 0.0, "open": open_edges(points, cells)}
+    length = np.linalg.norm(np.diff(points[cells].astype(np.float64), axis=1), axis=-1).sum()
+    raw = np.ascontiguousarray(points[cells.ravel()] + 0.0, dtype=np.float64).view("V24").ravel()
+    return {"volume": float(length), "open": int(np.count_nonzero(np.unique(raw, return_counts=True)[1] % 2))}
+
+
 def load(directory):
     case = json.loads((directory / "case.json").read_text())
     sides = []
@@ -95,7 +115,7 @@ def main():
             result = None  # destroyed here, outside every clock
         if word == "first":
             result, peak = peak_memory_since(contender.update)
-            checked = np.array(result[0]), np.array(result[1])
+            checked = np.array(result[0]), segments(result[1])
             answer = {"version": contender.version, "memory": peak, "triangles": len(checked[1])}
         elif word == "run":
             result, answer = timed(contender.update)
@@ -105,7 +125,7 @@ def main():
             contender.move_tool(keep, 1e-3 * moves)
             result, answer = timed(lambda: contender.update_again(keep))
         elif word == "check":
-            answer = {"volume": mesh_volume(checked) if len(checked[1]) else 0.0, "open": open_edges(*checked)}
+            answer = figures(*checked)
         else:
             raise SystemExit(f"unknown word {word!r}")
         print(json.dumps(answer), file=answers, flush=True)

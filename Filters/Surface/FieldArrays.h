@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FieldArrays.h
+ * @brief Field data from vectors.
+ */
+#ifndef FieldArrays_h
+#define FieldArrays_h
+
+#include "Boolean.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <string>
+#include <vector>
+
+namespace sbvtk
+{
+
+template <typename Array, typename Value>
+void AddField(vtkPolyData* output, const char* name, const std::vector<Value>& values)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    array->SetValue(static_cast<vtkIdType>(i), values[i]);
+  }
+  output->GetFieldData()->AddArray(array);
+}
+
+/** The field arrays StageNames and StageSeconds. */
+inline void AddStageFields(vtkPolyData* output, const std::vector<sb::StageTime>& times)
+{
+  std::vector<std::string> names;
+  std::vector<double> seconds;
+  for (const sb::StageTime& time : times)
+  {
+    names.emplace_back(time.Name);
+    seconds.push_back(time.Seconds);
+  }
+  AddField<vtkStringArray>(output, "StageNames", names);
+  AddField<vtkDoubleArray>(output, "StageSeconds", seconds);
+}
+
+} // namespace sbvtk
+
+#endif
