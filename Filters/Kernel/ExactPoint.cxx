@@ -278,7 +278,9 @@ ExactPoint ExactPoint::FromHomogeneous(
   }
   point.Denominator = positive;
   point.Width = Size;
-  return point;
+  // Lattice points are told exactly by their doubles, at a fraction of the cost: wherever faces are
+  // axis-aligned, most points are.
+  return point.IsIntegral() ? Vertex(point.Approximate) : point;
 }
 
 ExactPoint ExactPoint::Between(const double* u, const double* v, const WideInteger<3>& heightOfU,

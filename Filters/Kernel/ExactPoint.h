@@ -84,7 +84,8 @@ public:
   /** Whether the exact point lies on the lattice; its approximation is then exact. */
   bool IsIntegral() const;
 
-  /** Coordinate = Numerator / Denominator, not always in lowest terms; Denominator > 0. */
+  /** Coordinate = Numerator / Denominator, not always in lowest terms; Denominator > 0, and 1 for a
+   * lattice point. */
   const WideInteger<6>& GetNumerator(int axis) const { return this->Numerator[axis]; }
   const WideInteger<6>& GetDenominator() const { return this->Denominator; }
 
