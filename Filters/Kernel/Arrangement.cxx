@@ -87,8 +87,15 @@ public:
     {
       this->Out.SelfIntersecting[std::size_t(operand)] = 1;
     }
-    return ExactPoint::ThreePlanes(ExactPlane::Through(this->P(0), this->P(1), this->P(2)),
-      this->Carrier(first), this->Carrier(second));
+    // An edge of a coplanar face is known by two of its points, which makes for smaller numbers.
+    if (first.OtherEdge >= 0)
+    {
+      return this->OnEdge(first, second);
+    }
+    return second.OtherEdge >= 0
+      ? this->OnEdge(second, first)
+      : ExactPoint::ThreePlanes(ExactPlane::Through(this->P(0), this->P(1), this->P(2)),
+          this->PlaneOf(first), this->PlaneOf(second));
   }
 
   void PassesThrough(int constraint, int vertex) override
@@ -159,17 +166,33 @@ private:
     return this->Contacts.Contacts[this->FirstContact + std::size_t(constraint)];
   }
 
-  ExactPlane Carrier(const Contact& contact) const
+  std::array<const double*, 3> CornersOf(const Contact& contact) const
   {
     const std::array<std::int32_t, 3> corners = this->World.Corners(contact.Other);
-    if (contact.OtherEdge < 0)
-    {
-      return ExactPlane::Through(this->World.Position(corners[0]), this->World.Position(corners[1]),
-        this->World.Position(corners[2]));
-    }
+    return { this->World.Position(corners[0]), this->World.Position(corners[1]),
+      this->World.Position(corners[2]) };
+  }
+
+  ExactPlane PlaneOf(const Contact& contact) const
+  {
+    const std::array<const double*, 3> p = this->CornersOf(contact);
+    return ExactPlane::Through(p[0], p[1], p[2]);
+  }
+
+  /** Where a contact along an edge of a coplanar face crosses another. */
+  ExactPoint OnEdge(const Contact& contact, const Contact& other) const
+  {
+    const std::array<const double*, 3> p = this->CornersOf(contact);
+    const std::array<const double*, 3> q = this->CornersOf(other);
     const auto edge = std::size_t(contact.OtherEdge);
-    return ExactPlane::Vertical(this->World.Position(corners[edge]),
-      this->World.Position(corners[(edge + 1) % 3]), this->Normal.Axis);
+    const double* from = p[edge];
+    const double* to = p[(edge + 1) % 3];
+    if (other.OtherEdge < 0)
+    {
+      return ExactPoint::LinePlane(from, to, q[0], q[1], q[2]);
+    }
+    const auto otherEdge = std::size_t(other.OtherEdge);
+    return ExactPoint::LineLine(from, to, q[otherEdge], q[(otherEdge + 1) % 3], this->Normal.Axis);
   }
 
   void Begin(std::int32_t face, std::size_t firstContact, std::size_t endOfContacts)

@@ -401,12 +401,22 @@ int exact::Orient2DRefined(
 
 int exact::CompareAlong(const ExactPoint& a, const ExactPoint& b, int axis)
 {
+  if (a.GetWidth() == 1 && b.GetWidth() == 1)
+  {
+    return SignOf(b.Approximation()[axis] - a.Approximation()[axis]);
+  }
   return std::max(a.GetWidth(), b.GetWidth()) <= 4 ? HomogeneousCompareAlong<4>(a, b, axis)
                                                    : HomogeneousCompareAlong<6>(a, b, axis);
 }
 
 bool exact::SamePoint(const ExactPoint& a, const ExactPoint& b)
 {
+  // Only lattice points have width 1, and they are what their doubles say.
+  if (a.GetWidth() == 1 || b.GetWidth() == 1)
+  {
+    return a.GetWidth() == b.GetWidth() &&
+      std::equal(a.Approximation(), a.Approximation() + 3, b.Approximation());
+  }
   return exact::CompareAlong(a, b, 0) == 0 && exact::CompareAlong(a, b, 1) == 0 &&
     exact::CompareAlong(a, b, 2) == 0;
 }

@@ -86,6 +86,16 @@ void FaceTriangulation::Constrain(int from, int to, int constraint, ConstraintSo
   this->Lines.Extend(constraint + 1);
   while (from != to)
   {
+    const Place place = this->FindEdge(from, to);
+    if (place.Cell != None)
+    {
+      this->Mark(place.Cell, place.Edge, constraint);
+      return;
+    }
+    if (place.Vertex == to)
+    {
+      std::swap(from, to); // fewer cells to look at
+    }
     const int before = this->NumberOfVertices();
     const int reached = this->Advance(from, to, constraint, source);
     if (reached != to && reached < before)
@@ -380,54 +390,72 @@ void FaceTriangulation::RestoreDelaunay(const std::vector<int>& cells)
   }
 }
 
+FaceTriangulation::Circle FaceTriangulation::CircleAround(int vertex) const
+{
+  const int first = this->CellOfVertex[std::size_t(vertex)];
+  return { vertex, first, this->IndexOf(first, vertex), first, false };
+}
+
+bool FaceTriangulation::GoOn(Circle& circle) const
+{
+  const auto neighbour = [this](int cell, int edge) {
+    return this->Triangles[std::size_t(cell)].Neighbours[std::size_t(edge)];
+  };
+  int cell = None;
+  if (!circle.IsBackward)
+  {
+    cell = neighbour(circle.Cell, Next(circle.Index));
+    if (cell == circle.First)
+    {
+      return false;
+    }
+    if (cell == None)
+    {
+      // The vertex is on the face's boundary: go round the other way for the rest.
+      circle.IsBackward = true;
+      cell = neighbour(circle.First, Last(this->IndexOf(circle.First, circle.Vertex)));
+    }
+  }
+  else
+  {
+    cell = neighbour(circle.Cell, Last(circle.Index));
+  }
+  circle.Cell = cell;
+  circle.Index = cell == None ? None : this->IndexOf(cell, circle.Vertex);
+  return cell != None;
+}
+
 template <class Visitor>
 void FaceTriangulation::VisitCellsAround(int vertex, Visitor&& visitor) const
 {
-  const int first = this->CellOfVertex[std::size_t(vertex)];
-  int cell = first;
-  do
+  Circle circle = this->CircleAround(vertex);
+  while (!visitor(circle.Cell, circle.Index) && this->GoOn(circle))
   {
-    const int i = this->IndexOf(cell, vertex);
-    if (visitor(cell, i))
-    {
-      return;
-    }
-    cell = this->Triangles[std::size_t(cell)].Neighbours[std::size_t(Next(i))];
-  } while (cell != None && cell != first);
-  if (cell == first)
-  {
-    return;
-  }
-  // The vertex is on the face's boundary: go round the other way for the rest.
-  cell =
-    this->Triangles[std::size_t(first)].Neighbours[std::size_t(Last(this->IndexOf(first, vertex)))];
-  while (cell != None)
-  {
-    const int i = this->IndexOf(cell, vertex);
-    if (visitor(cell, i))
-    {
-      return;
-    }
-    cell = this->Triangles[std::size_t(cell)].Neighbours[std::size_t(Last(i))];
   }
 }
 
-std::pair<int, int> FaceTriangulation::FindEdge(int a, int b) const
+FaceTriangulation::Place FaceTriangulation::FindEdge(int a, int b) const
 {
-  std::pair<int, int> found{ None, None };
-  this->VisitCellsAround(a, [&](int cell, int i) {
-    const std::array<int, 3>& vertices = this->Triangles[std::size_t(cell)].Vertices;
-    if (vertices[std::size_t(Next(i))] == b)
+  // Round both ends at a time: of many edges that end at one vertex, each is found from its other
+  // end.
+  std::array<Circle, 2> circles{ this->CircleAround(a), this->CircleAround(b) };
+  for (std::size_t turn = 0;; turn = 1 - turn)
+  {
+    Circle& circle = circles[turn];
+    const std::array<int, 3>& vertices = this->Triangles[std::size_t(circle.Cell)].Vertices;
+    const int wanted = circles[1 - turn].Vertex;
+    for (const int side : { Next(circle.Index), Last(circle.Index) })
     {
-      found = { cell, Last(i) };
+      if (vertices[std::size_t(side)] == wanted)
+      {
+        return { circle.Cell, 3 - circle.Index - side, None };
+      }
     }
-    else if (vertices[std::size_t(Last(i))] == b)
+    if (!this->GoOn(circle))
     {
-      found = { cell, Next(i) };
+      return { None, None, circle.Vertex };
     }
-    return found.first != None;
-  });
-  return found;
+  }
 }
 
 void FaceTriangulation::Mark(int cell, int edge, int constraint)
@@ -451,12 +479,12 @@ void FaceTriangulation::Mark(int cell, int edge, int constraint)
 bool FaceTriangulation::ConstrainEdge(int from, int to, int constraint)
 {
   this->Lines.Extend(constraint + 1);
-  const auto [cell, edge] = this->FindEdge(from, to);
-  if (cell == None)
+  const Place place = this->FindEdge(from, to);
+  if (place.Cell == None)
   {
     return false;
   }
-  this->Mark(cell, edge, constraint);
+  this->Mark(place.Cell, place.Edge, constraint);
   return true;
 }
 
@@ -529,10 +557,6 @@ FaceTriangulation::Place FaceTriangulation::Leave(int from, int to) const
 
 int FaceTriangulation::Advance(int from, int to, int constraint, ConstraintSource& source)
 {
-  if (this->ConstrainEdge(from, to, constraint))
-  {
-    return to;
-  }
   const int known = this->FollowLine(from, to, constraint);
   if (known != None)
   {

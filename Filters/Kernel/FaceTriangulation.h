@@ -116,7 +116,9 @@ private:
   bool ShouldFlip(int cell, int edge) const;
   void RestoreDelaunayAround(int vertex);
   void RestoreDelaunay(const std::vector<int>& cells);
-  std::pair<int, int> FindEdge(int a, int b) const;
+  /** The edge between two vertices; if there is none, the one of them that has fewer cells around
+   * it. */
+  Place FindEdge(int a, int b) const;
   /** Connect `from` towards `to` up to the first vertex on the way, which is returned. */
   int Advance(int from, int to, int constraint, ConstraintSource& source);
   void Mark(int cell, int edge, int constraint);
@@ -156,6 +158,17 @@ private:
   void JoinSlits();
   ///@}
 
+  /** A walk around a vertex from cell to cell. */
+  struct Circle
+  {
+    int Vertex;
+    int Cell;
+    int Index; ///< of the vertex in the cell
+    int First;
+    bool IsBackward;
+  };
+  Circle CircleAround(int vertex) const;
+  bool GoOn(Circle& circle) const;
   template <class Visitor>
   void VisitCellsAround(int vertex, Visitor&& visitor) const;
 
