@@ -85,8 +85,10 @@ private:
     {
       return true;
     }
+    // Untouched faces do not matter, nor do those of an operand that is cut against itself.
+    const std::vector<std::uint8_t> none(self.size(), 0);
     const Arrangement cuts = this->Clock.Timed("Cuts", 0.5, [&] {
-      return MakeArrangement(scene, contacts, self, collapsed, this->Threads, this->Watch);
+      return MakeArrangement(scene, contacts, none, collapsed, this->Threads, this->Watch);
     });
     if (this->Watch.Aborted())
     {

@@ -321,10 +321,20 @@ void CheckOpenAndTurned()
 void CheckSelf()
 {
   const Mesh crossing = Joined(Cube(0, 4), Cube(2, 6));
-  CHECK_EQUAL(LengthOf(Check({ crossing }, true)), 12.0);
+  CHECK_EQUAL(LengthOf(Check({ crossing })), 12.0);
   CHECK_EQUAL(Compute({ crossing }).Surfaces[0].NumberOfPatches, 4);
   CHECK(Check({ Cube(0, 4) }).empty());
   CHECK(Check({ Sphere({ 0, 0, 0 }, 1.0, 8) }).empty());
+  // Faces that meet others' corners: untouched ones beside them have corners on the curve.
+  const Mesh fan = ConvexHull({ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 4 } });
+  const Mesh blade = Sheet({ 0, 0, 0 }, { 4, 4, -4 }, { 4, 4, 4 }, { 2, 2, 4 });
+  CHECK(!Check({ Joined(fan, blade) }).empty());
+  Mesh welded = fan;
+  welded.Points.push_back({ 3, 3, 1 });
+  welded.Points.push_back({ 3, 3, -1 });
+  const auto tip = static_cast<std::int32_t>(fan.Points.size());
+  welded.Triangles.push_back({ 0, tip, tip + 1 }); // shares a corner with the faces that it crosses
+  CHECK(!Check({ welded }).empty());
   // Cut by another surface, where it crosses itself, too: only the mutual curves, with branch
   // points.
   const Mesh plane = Sheet({ -9, -9, 3 }, { 9, -9, 3 }, { 9, 9, 3 }, { -9, 9, 3 });
@@ -342,6 +352,14 @@ void CheckRandom()
     const Mesh a = Rotated(RandomConvex(random, -2, 2, 6), RandomRotation(random));
     const Mesh b = Rotated(RandomConvex(random, -2, 2, 6), RandomRotation(random));
     curves += !CheckBoth(a, b).empty();
+    Check({ Joined(a, b) });
+    Mesh pinned = b; // one corner at the other's
+    for (Point& p : pinned.Points)
+    {
+      p = p - b.Points.front() + a.Points.front();
+    }
+    Check({ Joined(a, pinned) });
+    CheckBoth(a, pinned);
   }
   for (int round = 0; round < 200; ++round)
   {
