@@ -129,6 +129,42 @@ bool HaveSameCorners(const Triangle& a, const Triangle& b)
   });
 }
 
+/** Marks the corners of `a` that are corners of `b`, too. */
+std::array<bool, 3> CommonCorners(const Triangle& a, const Triangle& b)
+{
+  std::array<bool, 3> common;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    common[i] = std::any_of(std::begin(b.P), std::end(b.P), [&](const double* q) {
+      return a.P[i][0] == q[0] && a.P[i][1] == q[1] && a.P[i][2] == q[2];
+    });
+  }
+  return common;
+}
+
+/**
+ * Whether all corners of `b` that are not corners of `a` are off a's plane on one side: then the two
+ * have but those corners in common, or the edge between them. Most pairs of one operand are such
+ * neighbours, and the signs of their common corners, which are 0, need not be computed.
+ */
+bool MeetInCornersOnly(const Triangle& a, const Triangle& b, const std::array<bool, 3>& commonOfB)
+{
+  int side = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    if (!commonOfB[i])
+    {
+      const int sign = Orient3D(a.P[0], a.P[1], a.P[2], b.P[i]);
+      if (sign == 0 || sign == -side)
+      {
+        return false;
+      }
+      side = sign;
+    }
+  }
+  return side != 0;
+}
+
 /** Collects what the pairs of one range of the pair list give. */
 class Collector
 {
@@ -140,6 +176,10 @@ public:
 
   void Intersect(const Triangle& a, const Triangle& b, bool sameOperand)
   {
+    if (sameOperand && this->AreNeighboursApart(a, b))
+    {
+      return;
+    }
     int signsOfA[3];
     int signsOfB[3];
     for (int i = 0; i < 3; ++i)
@@ -177,6 +217,13 @@ public:
   std::int64_t NumberOfPairs = 0;
 
 private:
+  static bool AreNeighboursApart(const Triangle& a, const Triangle& b)
+  {
+    const std::array<bool, 3> ofB = CommonCorners(b, a);
+    return (ofB[0] || ofB[1] || ofB[2]) &&
+      (MeetInCornersOnly(a, b, ofB) || MeetInCornersOnly(b, a, CommonCorners(a, b)));
+  }
+
   /** An end of a contact, as both triangles see it. */
   struct End
   {

@@ -44,6 +44,13 @@ public:
     }
   }
 
+  /** Make one more set; @return its member. */
+  std::int32_t Add()
+  {
+    this->Parent.push_back(this->Size());
+    return this->Size() - 1;
+  }
+
   std::int32_t Size() const { return static_cast<std::int32_t>(this->Parent.size()); }
 
   /** The smallest member of the set of i. */

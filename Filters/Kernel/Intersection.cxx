@@ -3,11 +3,13 @@
 #include "Intersection.h"
 
 #include "Arrangement.h"
+#include "ContactCurves.h"
 #include "CurveJoining.h"
 #include "Ingest.h"
 #include "Stages.h"
 #include "SurfacePatches.h"
 
+#include <algorithm>
 #include <iterator>
 
 namespace sb
@@ -74,8 +76,15 @@ private:
     const ContactSet contacts = this->Clock.Timed("Contacts", 0.3,
       [&] { return FindStitchedContacts(scene, pairs, collapsed, this->Threads, this->Watch); });
     this->Result.NumberOfContacts = contacts.NumberOfPairs;
+    if (collapsed.empty() && !IsAny(self) && !IsAny(this->Request.Split) &&
+      this->FindCurvesWithoutCuts(scene, contacts))
+    {
+      return true;
+    }
+    // Untouched faces do not matter, nor do those of an operand that is cut against itself.
+    const std::vector<std::uint8_t> none(self.size(), 0);
     const Arrangement cuts = this->Clock.Timed("Cuts", 0.5, [&] {
-      return MakeArrangement(scene, contacts, self, collapsed, this->Threads, this->Watch);
+      return MakeArrangement(scene, contacts, none, collapsed, this->Threads, this->Watch);
     });
     if (this->Watch.Aborted())
     {
@@ -101,6 +110,26 @@ private:
       return 0;
     });
     return true;
+  }
+
+  /** @return whether that was possible. */
+  bool FindCurvesWithoutCuts(const Scene& scene, const ContactSet& contacts)
+  {
+    return this->Clock.Timed("Cuts", 0.5, [&] {
+      PointTable nodes;
+      const auto segments = FindSegmentsOfContacts(scene, contacts, nodes, this->Threads);
+      if (segments)
+      {
+        this->Result.Intersection = JoinSegments(scene, nodes, *segments);
+        this->Result.Surfaces.resize(this->Request.Operands.size());
+      }
+      return segments.has_value();
+    });
+  }
+
+  static bool IsAny(const std::vector<std::uint8_t>& flags)
+  {
+    return std::find(flags.begin(), flags.end(), 1) != flags.end();
   }
 
   static bool Grow(std::vector<std::uint8_t>& self, const std::vector<std::uint8_t>& found)

@@ -41,10 +41,12 @@ public:
 
   void Run()
   {
-    this->Sets.Reset(this->NumberOfVertices + this->EndOfRegions - this->FirstRegion);
+    this->MarkCutFaces();
     this->JoinCoincidentVertices();
+    this->MarkCurves();
     this->JoinUntouchedFaces();
     this->JoinRegions();
+    this->JoinHemFaces();
     this->NumberPatches();
     this->MarkPoints();
   }
@@ -74,9 +76,24 @@ private:
       !this->IsCut[triangle];
   }
 
+  void MarkCutFaces()
+  {
+    this->IsCut.assign(std::size_t(this->World.Mesh(this->Operand).NumberOfTriangles), 0);
+    for (std::size_t i = this->BeginOfFaces; i < this->EndOfFaces; ++i)
+    {
+      this->IsCut[std::size_t(this->TriangleOf(i))] = 1;
+    }
+  }
+
+  std::int32_t TriangleOf(std::size_t cutFace) const
+  {
+    return this->Cuts.Faces[cutFace].Face - this->World.FirstFace(this->Operand);
+  }
+
   /** A hash table of places; the first vertex at a place stands for it. */
   void JoinCoincidentVertices()
   {
+    this->Sets.Reset(this->NumberOfVertices + this->EndOfRegions - this->FirstRegion);
     std::size_t size = 1;
     while (size < 2 * std::size_t(this->NumberOfVertices))
     {
@@ -121,19 +138,89 @@ private:
     return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
   }
 
+  /** Find the nodes on curves, and the places of vertices among them. */
+  void MarkCurves()
+  {
+    this->IsNodeOnCurve.assign(std::size_t(this->Cuts.Nodes.Size()), 0);
+    for (const CurveSegment& segment : this->CurveSegments)
+    {
+      for (const NodeId node : segment.Ends)
+      {
+        this->IsNodeOnCurve[std::size_t(node)] = 1;
+      }
+    }
+    std::vector<NodeId> nodeOfPlace(std::size_t(this->NumberOfVertices), -1);
+    bool isAny = false;
+    this->ForEachVertexNode([&](std::int32_t vertex, NodeId node, std::int32_t) {
+      if (this->IsNodeOnCurve[std::size_t(node)])
+      {
+        nodeOfPlace[std::size_t(this->Sets.Find(vertex))] = node;
+        isAny = true;
+      }
+    });
+    if (isAny)
+    {
+      this->CurveNodes.resize(nodeOfPlace.size());
+      for (std::int32_t vertex = 0; vertex < this->NumberOfVertices; ++vertex)
+      {
+        this->CurveNodes[std::size_t(vertex)] = nodeOfPlace[std::size_t(this->Sets.Find(vertex))];
+      }
+    }
+  }
+
+  /** Call visit(vertex of the operand, node, region) for the corners of cut faces that are nodes.
+   */
+  template <class Visit>
+  void ForEachVertexNode(Visit&& visit)
+  {
+    const Surface& mesh = this->World.Mesh(this->Operand);
+    for (std::size_t i = this->BeginOfFaces; i < this->EndOfFaces; ++i)
+    {
+      const std::int32_t* corners = mesh.Triangles + 3 * std::size_t(this->TriangleOf(i));
+      for (std::int32_t p = this->Cuts.Faces[i].FirstPiece; p < this->Cuts.EndOfPieces(i); ++p)
+      {
+        const Piece& piece = this->Cuts.Pieces[std::size_t(p)];
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          if (IsCorner(piece.Where[k]) && IsNode(piece.Corners[k]))
+          {
+            visit(corners[piece.Where[k]], piece.Corners[k], piece.Region);
+          }
+        }
+      }
+    }
+  }
+
+  /** The node at a corner of a piece: a face may have a corner on a curve that it takes no part in.
+   * -1: the corner is a vertex off the curves. */
+  NodeId NodeAt(const Piece& piece, std::size_t k) const
+  {
+    const CornerRef corner = piece.Corners[k];
+    return IsNode(corner)        ? corner
+      : this->CurveNodes.empty() ? -1
+                                 : this->CurveNodes[std::size_t(~corner - this->FirstVertex)];
+  }
+
+  bool IsHemFace(const std::int32_t* corners) const
+  {
+    return !this->CurveNodes.empty() &&
+      std::any_of(corners, corners + 3,
+        [this](std::int32_t vertex) { return this->CurveNodes[std::size_t(vertex)] >= 0; });
+  }
+
   void JoinUntouchedFaces()
   {
     const Surface& mesh = this->World.Mesh(this->Operand);
-    this->IsCut.assign(std::size_t(mesh.NumberOfTriangles), 0);
-    for (std::size_t i = this->BeginOfFaces; i < this->EndOfFaces; ++i)
-    {
-      this->IsCut[std::size_t(this->Cuts.Faces[i].Face - this->World.FirstFace(this->Operand))] = 1;
-    }
     for (std::size_t i = 0; i < this->IsCut.size(); ++i)
     {
       if (this->IsUntouched(i))
       {
         const std::int32_t* corners = mesh.Triangles + 3 * i;
+        if (this->IsHemFace(corners))
+        {
+          this->HemFaces.push_back(static_cast<std::int32_t>(i));
+          continue;
+        }
         this->Sets.Unite(corners[0], corners[1]);
         this->Sets.Unite(corners[0], corners[2]);
       }
@@ -147,15 +234,37 @@ private:
       for (std::int32_t p = this->Cuts.Faces[i].FirstPiece; p < this->Cuts.EndOfPieces(i); ++p)
       {
         const Piece& piece = this->Cuts.Pieces[std::size_t(p)];
-        for (const CornerRef corner : piece.Corners)
+        for (std::size_t k = 0; k < 3; ++k)
         {
-          if (!IsNode(corner))
+          if (IsNode(piece.Corners[k]))
           {
-            this->Sets.Unite(~corner - this->FirstVertex, this->SetOfRegion(piece.Region));
+            continue;
+          }
+          if (this->NodeAt(piece, k) < 0)
+          {
+            this->Sets.Unite(
+              ~piece.Corners[k] - this->FirstVertex, this->SetOfRegion(piece.Region));
+            continue;
+          }
+          for (const std::size_t other : { (k + 1) % 3, (k + 2) % 3 })
+          {
+            this->AddHemEdge(
+              this->NodeAt(piece, k), this->NodeAt(piece, other), this->SetOfRegion(piece.Region));
           }
         }
       }
     }
+    this->ForEachVertexNode([&](std::int32_t vertex, NodeId node, std::int32_t region) {
+      if (!this->IsNodeOnCurve[std::size_t(node)])
+      {
+        this->Sets.Unite(vertex, this->SetOfRegion(region));
+      }
+    });
+    this->JoinAcrossEdges();
+  }
+
+  void JoinAcrossEdges()
+  {
     const std::vector<EdgeUse>& uses = this->Cuts.EdgeUses;
     std::size_t curve = 0;
     std::vector<std::int32_t> regions;
@@ -182,6 +291,85 @@ private:
         isContact ? this->JoinAcrossContact(regions) : this->JoinAll(regions);
       }
     }
+  }
+
+  struct HemEdge
+  {
+    std::array<NodeId, 2> Ends;
+    std::int32_t Set;
+  };
+
+  void AddHemEdge(NodeId from, NodeId to, std::int32_t set)
+  {
+    if (from >= 0 && to >= 0)
+    {
+      this->Hem.push_back({ { std::min(from, to), std::max(from, to) }, set });
+    }
+  }
+
+  /**
+   * A face of an operand that meets itself may have corners on a curve that it takes no part in. It
+   * hangs together with others by its other corners, and by its edges.
+   */
+  void JoinHemFaces()
+  {
+    const Surface& mesh = this->World.Mesh(this->Operand);
+    for (std::size_t i = 0; i < this->HemFaces.size(); ++i)
+    {
+      const std::int32_t set = this->Sets.Add();
+      const std::int32_t* corners = mesh.Triangles + 3 * std::size_t(this->HemFaces[i]);
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const NodeId from = this->CurveNodes[std::size_t(corners[k])];
+        if (from < 0)
+        {
+          this->Sets.Unite(corners[k], set);
+        }
+        this->AddHemEdge(from, this->CurveNodes[std::size_t(corners[(k + 1) % 3])], set);
+      }
+    }
+    this->JoinAcrossHem();
+  }
+
+  void JoinAcrossHem()
+  {
+    std::vector<HemEdge>& edges = this->Hem;
+    std::sort(edges.begin(), edges.end(), [](const HemEdge& l, const HemEdge& r) {
+      return l.Ends != r.Ends ? l.Ends < r.Ends : l.Set < r.Set;
+    });
+    const std::vector<EdgeUse>& uses = this->Cuts.EdgeUses;
+    for (std::size_t i = 0; i < edges.size(); ++i)
+    {
+      if (this->IsOnCurve(edges[i].Ends))
+      {
+        continue;
+      }
+      if (i > 0 && edges[i].Ends == edges[i - 1].Ends)
+      {
+        this->Sets.Unite(edges[i - 1].Set, edges[i].Set);
+      }
+      auto use = std::lower_bound(uses.begin(), uses.end(), edges[i].Ends,
+        [](const EdgeUse& l, const std::array<NodeId, 2>& ends) {
+          return l.Low != ends[0] ? l.Low < ends[0] : l.High < ends[1];
+        });
+      for (; use != uses.end() && use->Low == edges[i].Ends[0] && use->High == edges[i].Ends[1];
+           ++use)
+      {
+        if (this->IsOwn(use->Region))
+        {
+          this->Sets.Unite(this->SetOfRegion(use->Region), edges[i].Set);
+        }
+      }
+    }
+  }
+
+  bool IsOnCurve(const std::array<NodeId, 2>& ends) const
+  {
+    const auto at = std::lower_bound(this->CurveSegments.begin(), this->CurveSegments.end(), ends,
+      [](const CurveSegment& segment, const std::array<NodeId, 2>& value) {
+        return segment.Ends < value;
+      });
+    return at != this->CurveSegments.end() && at->Ends == ends;
   }
 
   void JoinAll(const std::vector<std::int32_t>& regions)
@@ -236,9 +424,18 @@ private:
     this->Out.HasCurveEdge.assign(std::size_t(mesh.NumberOfTriangles), 0);
     this->Out.PatchOfPiece.reserve(this->Out.Split.Parent.size());
     std::size_t cut = this->BeginOfFaces;
+    std::size_t hem = 0;
+    const std::int32_t firstOfHem =
+      this->Sets.Size() - static_cast<std::int32_t>(this->HemFaces.size());
     for (std::size_t i = 0; i < this->IsCut.size(); ++i)
     {
-      if (this->IsUntouched(i))
+      if (hem < this->HemFaces.size() && std::size_t(this->HemFaces[hem]) == i)
+      {
+        this->Out.PatchOfTriangle[i] =
+          this->PatchOfSet(firstOfHem + static_cast<std::int32_t>(hem));
+        ++hem;
+      }
+      else if (this->IsUntouched(i))
       {
         this->Out.PatchOfTriangle[i] = this->PatchOfSet(mesh.Triangles[3 * i]);
       }
@@ -270,13 +467,9 @@ private:
   {
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const auto [low, high] = std::minmax(piece.Corners[k], piece.Corners[(k + 1) % 3]);
-      const std::array<NodeId, 2> ends{ low, high };
-      const auto at = std::lower_bound(this->CurveSegments.begin(), this->CurveSegments.end(), ends,
-        [](const CurveSegment& segment, const std::array<NodeId, 2>& value) {
-          return segment.Ends < value;
-        });
-      if (at != this->CurveSegments.end() && at->Ends == ends)
+      const NodeId from = this->NodeAt(piece, k);
+      const NodeId to = this->NodeAt(piece, (k + 1) % 3);
+      if (this->IsOnCurve({ std::min(from, to), std::max(from, to) }))
       {
         return true;
       }
@@ -286,11 +479,6 @@ private:
 
   void MarkPoints()
   {
-    std::vector<std::uint8_t> nodes(std::size_t(this->Cuts.Nodes.Size()), 0);
-    for (const CurveSegment& segment : this->CurveSegments)
-    {
-      nodes[std::size_t(segment.Ends[0])] = nodes[std::size_t(segment.Ends[1])] = 1;
-    }
     this->Out.IsOnCurve.assign(
       this->Out.KeptPoints[std::size_t(this->Operand)].size() + this->Out.Interpolated.size(), 0);
     const Surface& mesh = this->World.Mesh(this->Operand);
@@ -305,7 +493,8 @@ private:
         const Piece& piece = this->Cuts.Pieces[std::size_t(p)];
         for (std::size_t k = 0; k < 3; ++k)
         {
-          if (IsNode(piece.Corners[k]) && nodes[std::size_t(piece.Corners[k])])
+          const NodeId node = this->NodeAt(piece, k);
+          if (node >= 0 && this->IsNodeOnCurve[std::size_t(node)])
           {
             const std::int32_t point = whole
               ? this->Out.PointMap[std::size_t(this->Operand)][std::size_t(
@@ -315,6 +504,19 @@ private:
           }
         }
         output += !whole;
+      }
+    }
+    for (const std::int32_t triangle : this->HemFaces)
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const std::int32_t vertex = mesh.Triangles[3 * std::size_t(triangle) + k];
+        if (this->CurveNodes[std::size_t(vertex)] >= 0)
+        {
+          const std::int32_t point =
+            this->Out.PointMap[std::size_t(this->Operand)][std::size_t(vertex)];
+          this->Out.IsOnCurve[std::size_t(point)] = 1;
+        }
       }
     }
   }
@@ -330,7 +532,12 @@ private:
   std::size_t EndOfFaces;
   std::int32_t FirstRegion;
   std::int32_t EndOfRegions;
-  DisjointSets Sets; ///< the operand's vertices, then its regions
+  DisjointSets Sets; ///< the operand's vertices, then its regions, then its hem faces
+  std::vector<std::uint8_t> IsNodeOnCurve;
+  std::vector<NodeId> CurveNodes; ///< [vertex] the node there if it is on a curve, else -1; empty
+                                  ///< where all are -1
+  std::vector<HemEdge> Hem;
+  std::vector<std::int32_t> HemFaces; ///< untouched triangles with corners on curves, ascending
   std::vector<std::uint8_t> IsCut; ///< [triangle]
   std::vector<std::int32_t> Patches; ///< [set]
 };

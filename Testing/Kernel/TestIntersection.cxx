@@ -6,6 +6,7 @@
  * what a flood over the pieces finds that does not cross a curve.
  */
 #include "Check.h"
+#include "ContactCurves.h"
 #include "Intersection.h"
 #include "Shapes.h"
 #include "ThreadExecutor.h"
@@ -320,10 +321,20 @@ void CheckOpenAndTurned()
 void CheckSelf()
 {
   const Mesh crossing = Joined(Cube(0, 4), Cube(2, 6));
-  CHECK_EQUAL(LengthOf(Check({ crossing }, true)), 12.0);
+  CHECK_EQUAL(LengthOf(Check({ crossing })), 12.0);
   CHECK_EQUAL(Compute({ crossing }).Surfaces[0].NumberOfPatches, 4);
   CHECK(Check({ Cube(0, 4) }).empty());
   CHECK(Check({ Sphere({ 0, 0, 0 }, 1.0, 8) }).empty());
+  // Faces that meet others' corners: untouched ones beside them have corners on the curve.
+  const Mesh fan = ConvexHull({ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 4 } });
+  const Mesh blade = Sheet({ 0, 0, 0 }, { 4, 4, -4 }, { 4, 4, 4 }, { 2, 2, 4 });
+  CHECK(!Check({ Joined(fan, blade) }).empty());
+  Mesh welded = fan;
+  welded.Points.push_back({ 3, 3, 1 });
+  welded.Points.push_back({ 3, 3, -1 });
+  const auto tip = static_cast<std::int32_t>(fan.Points.size());
+  welded.Triangles.push_back({ 0, tip, tip + 1 }); // shares a corner with the faces that it crosses
+  CHECK(!Check({ welded }).empty());
   // Cut by another surface, where it crosses itself, too: only the mutual curves, with branch
   // points.
   const Mesh plane = Sheet({ -9, -9, 3 }, { 9, -9, 3 }, { 9, 9, 3 }, { -9, 9, 3 });
@@ -341,6 +352,14 @@ void CheckRandom()
     const Mesh a = Rotated(RandomConvex(random, -2, 2, 6), RandomRotation(random));
     const Mesh b = Rotated(RandomConvex(random, -2, 2, 6), RandomRotation(random));
     curves += !CheckBoth(a, b).empty();
+    Check({ Joined(a, b) });
+    Mesh pinned = b; // one corner at the other's
+    for (Point& p : pinned.Points)
+    {
+      p = p - b.Points.front() + a.Points.front();
+    }
+    Check({ Joined(a, pinned) });
+    CheckBoth(a, pinned);
   }
   for (int round = 0; round < 200; ++round)
   {
@@ -397,6 +416,52 @@ void CheckThreads()
   }
 }
 
+/** Whether the curves can be had without cutting faces; then they are those of the cut faces. */
+bool AreFoundWithoutCuts(const Mesh& a, const Mesh& b)
+{
+  CutStage stage({ { a }, { b }, sb::Operation::Union });
+  sb::PointTable nodes;
+  const auto found = sb::FindSegmentsOfContacts(stage.World, stage.Contacts, nodes, stage.Executor);
+  if (!found)
+  {
+    return false;
+  }
+  const auto wanted = sb::FindCurveSegments(stage.World, stage.Cuts, sb::CurveKind::Mutual);
+  CHECK_EQUAL(found->size(), wanted.size());
+  for (std::size_t i = 0; i < std::min(found->size(), wanted.size()); ++i)
+  {
+    CHECK((*found)[i].Ends == wanted[i].Ends);
+    CHECK((*found)[i].Makers.Operand == wanted[i].Makers.Operand);
+    CHECK((*found)[i].Makers.Triangle == wanted[i].Makers.Triangle);
+  }
+  return true;
+}
+
+void CheckWithoutCuts()
+{
+  Random random(7);
+  int found = 0;
+  for (int round = 0; round < 100; ++round)
+  {
+    found += AreFoundWithoutCuts(Rotated(RandomConvex(random, -2, 2, 6), RandomRotation(random)),
+      Rotated(RandomConvex(random, -2, 2, 6), RandomRotation(random)));
+  }
+  CHECK(found > 95);
+  const Mesh plane = Sheet({ -9, -9, 1 }, { 9, -9, 1 }, { 9, 9, 1 }, { -9, 9, 1 });
+  CHECK(AreFoundWithoutCuts(Sphere({ 0, 0, 0 }, 1.0, 30), Sphere({ 0.3, 0.2, 0.1 }, 1.0, 30)));
+  CHECK(AreFoundWithoutCuts(Sphere({ 0, 0, 0.7 }, 1.0, 30), plane));
+  // Contacts in one line, one after the other, are no obstacle; areas in common are, and faces that
+  // cross on another one.
+  CHECK(AreFoundWithoutCuts(Cube(0, 4), plane));
+  CHECK(!AreFoundWithoutCuts(Cube(0, 4), Box({ 1, 1, 4 }, { 3, 3, 6 })));
+  CHECK(!AreFoundWithoutCuts(Joined(Cube(0, 4), Box({ 2, 2, -2 }, { 6, 6, 2 })), plane));
+  for (int round = 0; round < 200; ++round) // whatever is found is right, in all degenerate cases
+  {
+    AreFoundWithoutCuts(RandomBoxes(random, -3, 3, 2), RandomConvex(random, -3, 3, 6));
+    AreFoundWithoutCuts(RandomConvex(random, -2, 2, 5), RandomConvex(random, -2, 2, 5));
+  }
+}
+
 class Impatient : public sb::Monitor
 {
 public:
@@ -436,6 +501,7 @@ int main()
   CheckOpenAndTurned();
   CheckSelf();
   CheckRandom();
+  CheckWithoutCuts();
   CheckThreads();
   CheckBadInput();
   return check::Verdict("TestIntersection");
