@@ -23,29 +23,11 @@ double LargestMagnitude(const std::vector<OperandReport>& reports)
   return largest;
 }
 
-/**
- * The finest lattice, or a coarser one whose rounding moves no point by more than the tolerance:
- * what is closer together than the tolerance then tends to coincide, in every predicate alike.
- */
-Lattice ChooseLattice(double magnitude, double tolerance)
-{
-  const Lattice finest = Lattice::ForMagnitude(magnitude);
-  if (!(tolerance > 0.0))
-  {
-    return finest;
-  }
-  // Rounding moves a point by at most half a step along each axis.
-  const double coarsestStep = 2.0 * tolerance / std::sqrt(3.0);
-  int binade = 0;
-  std::frexp(coarsestStep, &binade);
-  return 1 - binade < finest.Exponent ? Lattice::WithExponent(1 - binade) : finest;
-}
-
 } // namespace
 
 Scene::Scene(const BooleanRequest& request, const std::vector<OperandReport>& reports,
   const std::vector<std::uint8_t>& swapped, Executor& executor)
-  : Units(ChooseLattice(LargestMagnitude(reports), request.Tolerance))
+  : Units(Lattice::ForTolerance(LargestMagnitude(reports), request.Tolerance))
   , Swapped(swapped)
   , FirstVertices{ 0 }
   , FirstFaces{ 0 }

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CapFilling.h
+ * @brief The contour of one plane, by its nodes, as triangles.
+ */
+#ifndef sb_CapFilling_h
+#define sb_CapFilling_h
+
+#include "CapContours.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace sb
+{
+
+struct CapFilling
+{
+  std::vector<std::array<std::int32_t, 3>> Triangles; ///< instances of ClipPoints
+  std::vector<std::int32_t> Regions; ///< by triangle
+  std::int32_t NumberOfRegions = 0;
+};
+
+/**
+ * Fill a closed contour.
+ * @param splits gets the points that this puts inside segments
+ */
+CapFilling FillCapContour(
+  ClipPoints& points, std::int32_t plane, const Contour& contour, SplitSegments& splits);
+
+} // namespace sb
+
+#endif
