@@ -9,9 +9,8 @@
 #include "ConditionSentences.h"
 #include "FieldArrays.h"
 #include "KernelExecutor.h"
-#include "OperandSurface.h"
 #include "PlaneOnLattice.h"
-#include "SurfaceInput.h"
+#include "PreparedInput.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -38,11 +37,10 @@
 
 vtkStandardNewMacro(vtkPolyDataClipClosedSurface);
 
-/** The input of the last update, prepared: moving a plane does not prepare it again. */
+/** Moving a plane does not prepare the input again. */
 struct vtkPolyDataClipClosedSurface::Cache
 {
-  sbvtk::SurfaceInput Input;
-  std::shared_ptr<sbvtk::OperandSurface> Surface;
+  sbvtk::PreparedInput Prepared;
 };
 
 /** One update: its steps in their order, and what they share. */
@@ -61,12 +59,6 @@ public:
   void Execute();
 
 private:
-  struct Failure
-  {
-    int Status;
-    std::string Sentence;
-  };
-
   void ListPlanes();
   void CheckSettings() const;
   void ReadInput();
@@ -86,7 +78,7 @@ private:
   vtkPolyData* Outline;
   sbvtk::KernelExecutor Executor;
   std::chrono::steady_clock::time_point StageStart = std::chrono::steady_clock::now();
-  std::shared_ptr<sbvtk::OperandSurface> Input;
+  sbvtk::OperandSurface* Input = nullptr;
   std::vector<sb::ClipPlane> Planes;
   sb::ClipResult Result;
   sbvtk::ClippedLines Lines;
@@ -96,7 +88,7 @@ private:
 //------------------------------------------------------------------------------
 void vtkPolyDataClipClosedSurface::Run::Execute()
 {
-  Failure failure{ 0, "" };
+  sbvtk::Failure failure{ 0, "" };
   try
   {
     this->ListPlanes();
@@ -106,7 +98,7 @@ void vtkPolyDataClipClosedSurface::Run::Execute()
     this->BuildOutputs();
     return;
   }
-  catch (const Failure& thrown)
+  catch (const sbvtk::Failure& thrown)
   {
     failure = thrown;
   }
@@ -165,7 +157,7 @@ void vtkPolyDataClipClosedSurface::Run::CheckSettings() const
   {
     if (!sb::IsPlane(this->Planes[i]))
     {
-      throw Failure{ badRequest,
+      throw sbvtk::Failure{ badRequest,
         "Plane " + std::to_string(i) +
           " has a normal of length 0 or a number that is not finite; set its Normal to a direction "
           "such as 0, 0, 1." };
@@ -173,7 +165,7 @@ void vtkPolyDataClipClosedSurface::Run::CheckSettings() const
   }
   if (!std::isfinite(this->Filter->Tolerance) || this->Filter->Tolerance < 0.0)
   {
-    throw Failure{ badRequest,
+    throw sbvtk::Failure{ badRequest,
       "Tolerance is " + std::to_string(this->Filter->Tolerance) +
         "; set it to 0 or a small positive length." };
   }
@@ -182,37 +174,8 @@ void vtkPolyDataClipClosedSurface::Run::CheckSettings() const
 //------------------------------------------------------------------------------
 void vtkPolyDataClipClosedSurface::Run::ReadInput()
 {
-  if (this->Inputs[0]->GetNumberOfInformationObjects() == 0)
-  {
-    throw Failure{ static_cast<int>(sb::Status::BadRequest),
-      "Input has no surface; set Input (in ParaView: right-click the filter in the Pipeline "
-      "Browser, Change Input)." };
-  }
-  Cache& cache = *this->Filter->Input;
-  const std::string refusal =
-    cache.Input.Read(vtkDataObject::GetData(this->Inputs[0], 0), this->Executor);
-  if (!refusal.empty())
-  {
-    throw Failure{ NOT_A_SURFACE, "Input " + refusal };
-  }
-  vtkPolyData* surface = cache.Input.Surface();
-  if (!sbvtk::OperandSurface::FitsInt32(surface))
-  {
-    sb::Remark remark;
-    remark.Condition = sb::Status::TooLarge;
-    throw Failure{ static_cast<int>(remark.Condition),
-      sbvtk::ConditionSentence(remark, "Input", -1) };
-  }
-  if (cache.Surface && cache.Surface->IsConversionOf(surface))
-  {
-    cache.Surface->SetAttributesFrom(surface);
-  }
-  else
-  {
-    cache.Surface.reset(); // before its successor is made, so that both never need memory together
-    cache.Surface = std::make_shared<sbvtk::OperandSurface>(surface, this->Executor);
-  }
-  this->Input = cache.Surface;
+  this->Filter->Input->Prepared.Read(this->Inputs[0], NOT_A_SURFACE, this->Executor);
+  this->Input = &this->Filter->Input->Prepared.Surface();
   this->EndStage("Read input");
 }
 
@@ -239,11 +202,7 @@ void vtkPolyDataClipClosedSurface::Run::Compute()
   this->StageStart = std::chrono::steady_clock::now();
   if (sb::IsError(this->Result.Condition))
   {
-    const sb::Remark& remark = this->Result.Remarks.front();
-    const std::int64_t cell =
-      remark.Triangle >= 0 ? this->Input->CellOfTriangle(remark.Triangle) : -1;
-    throw Failure{ static_cast<int>(remark.Condition),
-      sbvtk::ConditionSentence(remark, "Input", cell) };
+    throw this->Filter->Input->Prepared.FailureOf(this->Result.Remarks.front());
   }
   if (this->Filter->GenerateOutline)
   {

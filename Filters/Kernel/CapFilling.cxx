@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CapFilling.h"
 
-#include "CapTriangulation.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -17,10 +15,12 @@ namespace
 class CapFiller
 {
 public:
-  CapFiller(ClipPoints& points, std::int32_t plane, const Contour& contour, SplitSegments& splits)
+  CapFiller(ClipPoints& points, std::int32_t plane, const Contour& contour, FillRule rule,
+    SplitSegments& splits)
     : Points(points)
     , Plane(plane)
     , Segments(contour)
+    , Rule(rule)
     , Splits(splits)
   {
   }
@@ -29,7 +29,7 @@ public:
   {
     this->ListPoints();
     this->ListEdges();
-    const Filling filling = FillContours(this->Input, FillRule::Winding,
+    const Filling filling = FillContours(this->Input, this->Rule,
       [this](std::int32_t a, std::int32_t b) { return this->Crossing(a, b); });
     for (const ExactPoint& crossing : filling.Crossings)
     {
@@ -37,7 +37,7 @@ public:
     }
     this->NoteSplits(filling);
     CapFilling cap;
-    cap.NumberOfRegions = filling.NumberOfRegions;
+    cap.Depths = filling.Depths;
     for (const Filling::Triangle& triangle : filling.Triangles)
     {
       for (std::int32_t copy = 0; copy < std::abs(triangle.Winding); ++copy)
@@ -164,6 +164,7 @@ private:
   ClipPoints& Points;
   const std::int32_t Plane;
   const Contour& Segments;
+  const FillRule Rule;
   SplitSegments& Splits;
   PlanarContours Input;
   std::vector<std::int32_t> Nodes; ///< by point, ascending
@@ -173,10 +174,10 @@ private:
 
 } // namespace
 
-CapFilling FillCapContour(
-  ClipPoints& points, std::int32_t plane, const Contour& contour, SplitSegments& splits)
+CapFilling FillCapContour(ClipPoints& points, std::int32_t plane, const Contour& contour,
+  FillRule rule, SplitSegments& splits)
 {
-  return CapFiller(points, plane, contour, splits).Run();
+  return CapFiller(points, plane, contour, rule, splits).Run();
 }
 
 } // namespace sb

@@ -8,6 +8,7 @@
 #define sb_CapFilling_h
 
 #include "CapContours.h"
+#include "CapTriangulation.h"
 
 #include <array>
 #include <cstdint>
@@ -19,16 +20,16 @@ namespace sb
 struct CapFilling
 {
   std::vector<std::array<std::int32_t, 3>> Triangles; ///< instances of ClipPoints
-  std::vector<std::int32_t> Regions; ///< by triangle
-  std::int32_t NumberOfRegions = 0;
+  std::vector<std::int32_t> Regions; ///< by triangle; see Filling
+  std::vector<std::int32_t> Depths; ///< by region; see Filling
 };
 
 /**
  * Fill a closed contour.
  * @param splits gets the points that this puts inside segments
  */
-CapFilling FillCapContour(
-  ClipPoints& points, std::int32_t plane, const Contour& contour, SplitSegments& splits);
+CapFilling FillCapContour(ClipPoints& points, std::int32_t plane, const Contour& contour,
+  FillRule rule, SplitSegments& splits);
 
 } // namespace sb
 

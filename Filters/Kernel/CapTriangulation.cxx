@@ -226,6 +226,7 @@ private:
       if (cells[i].Vertices[0] < 3 || cells[i].Vertices[1] < 3 || cells[i].Vertices[2] < 3)
       {
         known[i] = 1; // a corner of the frame: outside of everything
+        this->FrameCell = static_cast<int>(i);
         stack.push_back(static_cast<int>(i));
       }
     }
@@ -249,37 +250,69 @@ private:
     }
     for (int& winding : this->Windings)
     {
-      winding = this->Rule == FillRule::EvenOdd ? std::abs(winding) % 2 : winding;
+      if (this->Rule == FillRule::EvenOdd)
+      {
+        winding = std::abs(winding) % 2;
+      }
+      else if (this->Rule == FillRule::NonZero)
+      {
+        winding = winding > 0 ? 1 : (winding < 0 ? -1 : 0);
+      }
     }
   }
 
+  /** Go inwards from the frame, layer by layer: cells of one winding number that hang together, and
+   * then those beyond their outlines. */
   void NumberRegions()
   {
-    const std::vector<FaceTriangulation::Cell>& cells = this->Mesh.Cells();
-    this->Regions.assign(cells.size(), -1);
-    std::vector<int> stack;
-    for (std::size_t i = 0; i < cells.size(); ++i)
+    this->Regions.assign(this->Mesh.Cells().size(), -1);
+    std::vector<std::uint8_t> seen(this->Mesh.Cells().size(), 0);
+    std::vector<int> layer(1, this->FrameCell);
+    std::vector<int> next;
+    for (std::int32_t depth = 0; !layer.empty(); ++depth)
     {
-      if (this->Windings[i] == 0 || this->Regions[i] >= 0)
+      for (const int cell : layer)
       {
-        continue;
-      }
-      const std::int32_t region = this->Result.NumberOfRegions++;
-      this->Regions[i] = region;
-      for (stack.assign(1, static_cast<int>(i)); !stack.empty();)
-      {
-        const std::size_t here = static_cast<std::size_t>(stack.back());
-        stack.pop_back();
-        for (std::size_t k = 0; k < 3; ++k)
+        if (!seen[std::size_t(cell)])
         {
-          const int across = cells[here].Neighbours[k];
-          if (across != FaceTriangulation::None && this->Regions[std::size_t(across)] < 0 &&
-            this->Windings[std::size_t(across)] == this->Windings[here])
-          {
-            this->Regions[std::size_t(across)] = region;
-            stack.push_back(across);
-          }
+          this->NumberRegion(cell, depth, seen, next);
         }
+      }
+      layer.swap(next);
+      next.clear();
+    }
+  }
+
+  void NumberRegion(
+    int first, std::int32_t depth, std::vector<std::uint8_t>& seen, std::vector<int>& beyond)
+  {
+    const std::vector<FaceTriangulation::Cell>& cells = this->Mesh.Cells();
+    const int winding = this->Windings[std::size_t(first)];
+    const std::int32_t region = winding == 0 ? -1 : this->Result.NumberOfRegions++;
+    if (region >= 0)
+    {
+      this->Result.Depths.push_back((depth - 1) / 2);
+    }
+    std::vector<int> stack(1, first);
+    seen[std::size_t(first)] = 1;
+    while (!stack.empty())
+    {
+      const std::size_t here = static_cast<std::size_t>(stack.back());
+      stack.pop_back();
+      this->Regions[here] = region;
+      for (const int across : cells[here].Neighbours)
+      {
+        if (across == FaceTriangulation::None || seen[std::size_t(across)])
+        {
+          continue;
+        }
+        if (this->Windings[std::size_t(across)] != winding)
+        {
+          beyond.push_back(across);
+          continue;
+        }
+        seen[std::size_t(across)] = 1;
+        stack.push_back(across);
       }
     }
   }
@@ -315,6 +348,7 @@ private:
   std::vector<std::int32_t> PointOfVertex;
   bool IsSplit = false; ///< an edge became several
   std::map<VertexPair, int> Runs; ///< only where an edge became several
+  int FrameCell = 0; ///< a cell outside of all contours
   std::vector<int> Windings; ///< by cell
   std::vector<std::int32_t> Regions; ///< by cell
 };

@@ -53,14 +53,17 @@ struct Filling
   /** For each edge the points inside it, in order; empty if no edge has any. */
   std::vector<std::vector<std::int32_t>> PointsOnEdges;
   std::int32_t NumberOfRegions = 0;
+  /** By region: how many other regions' outlines are around it, not counting holes; 0 is outermost,
+   * 1 an island in a hole. */
+  std::vector<std::int32_t> Depths;
 };
 
-/** Whether a winding number is filled, and how often: the number itself, or 0 or 1 for even and
- * odd. */
+/** What a winding number stands for. */
 enum class FillRule : std::uint8_t
 {
-  Winding,
-  EvenOdd
+  Winding, ///< itself
+  NonZero, ///< its sign
+  EvenOdd ///< 1 where it is odd: the directions of the contours do not matter
 };
 
 /**

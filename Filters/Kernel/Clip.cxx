@@ -222,8 +222,8 @@ private:
 
   void FillCap(std::int32_t plane)
   {
-    const CapFilling cap =
-      FillCapContour(*this->Points, plane, this->Contours[std::size_t(plane)], this->Splits);
+    const CapFilling cap = FillCapContour(
+      *this->Points, plane, this->Contours[std::size_t(plane)], FillRule::Winding, this->Splits);
     for (std::size_t i = 0; i < cap.Triangles.size(); ++i)
     {
       this->CapInstances.push_back(cap.Triangles[i]);
