@@ -318,6 +318,16 @@ ExactPoint ExactPoint::LinePlane(
   return Between(u, v, Dot(normal, fromU), Dot(normal, fromV));
 }
 
+ExactPoint ExactPoint::LinePlane(const double* u, const double* v, const ExactPlane& plane)
+{
+  const WideInteger<1> first[3] = { WideInteger<1>::FromIntegral(u[0]),
+    WideInteger<1>::FromIntegral(u[1]), WideInteger<1>::FromIntegral(u[2]) };
+  const WideInteger<1> second[3] = { WideInteger<1>::FromIntegral(v[0]),
+    WideInteger<1>::FromIntegral(v[1]), WideInteger<1>::FromIntegral(v[2]) };
+  return Between(
+    u, v, Dot(plane.Normal, first) - plane.Offset, Dot(plane.Normal, second) - plane.Offset);
+}
+
 ExactPoint ExactPoint::LineLine(
   const double* u, const double* v, const double* s, const double* t, int axis)
 {

@@ -61,6 +61,9 @@ public:
   static ExactPoint LinePlane(
     const double* u, const double* v, const double* a, const double* b, const double* c);
 
+  /** Where the line uv meets a plane; they must not be parallel. */
+  static ExactPoint LinePlane(const double* u, const double* v, const ExactPlane& plane);
+
   /**
    * The point of the line uv where it meets the line st, both in one plane; in the projection that
    * drops `axis` they must not be parallel.

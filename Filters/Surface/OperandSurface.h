@@ -13,6 +13,7 @@
 #define OperandSurface_h
 
 #include "Boolean.h"
+#include "sbSurfaceModule.h" // for the export macro
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -32,7 +33,7 @@ class PolygonTriangulation;
 
 /** The triangles of one operand. Arrays of the data set that the kernel can read as they are, are
  * not copied. */
-class OperandSurface
+class SBSURFACE_EXPORT OperandSurface
 {
 public:
   /**
