@@ -6,6 +6,7 @@
 #include "CapFilling.h"
 #include "ClipPoints.h"
 #include "FaceClip.h"
+#include "FaceRemainder.h"
 #include "ManifoldEdges.h"
 #include "PlaneOnLattice.h"
 #include "PolygonCutting.h"
@@ -15,6 +16,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 
 namespace sb
@@ -110,6 +112,7 @@ private:
   {
     const MeshBounds bounds = FindBounds(this->Mesh, this->Threads);
     std::vector<ClipPlane> planes = this->Request.Planes;
+    this->IsRest = this->Request.InsideOut && planes.size() != 1;
     if (this->Request.InsideOut && planes.size() == 1)
     {
       // What is not in front of one plane is in front of the opposite one.
@@ -130,8 +133,8 @@ private:
   bool FindFates()
   {
     this->Result.Fates.resize(std::size_t(this->Mesh.NumberOfTriangles));
-    const FaceSides faces = FindFaceSides(
-      this->Mesh, this->Sides, this->Planes.size(), this->Result.Fates, this->Threads);
+    const FaceSides faces = FindFaceSides(this->Mesh, this->Sides, this->Planes.size(),
+      this->IsRest, this->Result.Fates, this->Threads);
     if (faces.BadIndex >= 0)
     {
       this->Add(Status::BadIndex).Triangle = faces.BadIndex;
@@ -165,7 +168,7 @@ private:
       std::int64_t kept = 0;
       for (std::int64_t i = begin; i < end; ++i)
       {
-        kept += this->Sides.IsKept(i);
+        kept += this->Sides.IsKept(i, this->IsRest);
       }
       firsts[std::size_t(block) + 1] = kept;
     });
@@ -179,7 +182,7 @@ private:
       std::int32_t next = static_cast<std::int32_t>(firsts[std::size_t(block)]);
       for (std::int64_t i = begin; i < end; ++i)
       {
-        const bool kept = this->Sides.IsKept(i);
+        const bool kept = this->Sides.IsKept(i, this->IsRest);
         this->Result.PointMap[std::size_t(i)] = kept ? next : -1;
         if (kept)
         {
@@ -197,13 +200,13 @@ private:
     for (const std::int32_t face : this->Touched)
     {
       const std::vector<FaceClip::Corner>& polygon = clip.Clip(face, this->Contours);
-      if (polygon.size() > 2)
+      if (polygon.size() > 2 ||
+        (this->IsRest && this->Result.Fates[std::size_t(face)] == Fate::Split))
       {
         this->PolygonFaces.push_back(face);
         this->PolygonCorners.insert(this->PolygonCorners.end(), polygon.begin(), polygon.end());
       }
       this->PolygonEnds.resize(this->PolygonFaces.size(), this->PolygonCorners.size());
-      this->Result.Fates[std::size_t(face)] = Fate::Split;
     }
     return this->EndStage("Cuts", 0.7);
   }
@@ -233,14 +236,21 @@ private:
 
   bool MakeOutput()
   {
+    if (this->IsRest)
+    {
+      this->ListPointsOnEdges();
+    }
     for (std::size_t i = 0; i < this->PolygonFaces.size(); ++i)
     {
-      this->AddPieces(i);
+      this->IsRest ? this->AddRemainder(i) : this->AddPieces(i);
+      this->Result.Parents.resize(this->Result.Pieces.size(), this->PolygonFaces[i]);
     }
     for (const std::array<std::int32_t, 3>& triangle : this->CapInstances)
     {
-      this->Result.Caps.push_back({ this->IdOfInstance(triangle[0]),
-        this->IdOfInstance(triangle[1]), this->IdOfInstance(triangle[2]) });
+      // The rest of the solid lies on the other side of the caps.
+      this->Result.Caps.push_back(
+        { this->IdOfInstance(triangle[0]), this->IdOfInstance(triangle[this->IsRest ? 2 : 1]),
+          this->IdOfInstance(triangle[this->IsRest ? 1 : 2]) });
     }
     for (std::size_t plane = 0; plane < this->Contours.size(); ++plane)
     {
@@ -341,7 +351,94 @@ private:
       }
     }
     this->Outline.Cut([this](std::int32_t id) { return this->PlaceOf(id); }, this->Result.Pieces);
-    this->Result.Parents.resize(this->Result.Pieces.size(), this->PolygonFaces[polygon]);
+  }
+
+  /** What neighbours put on edges, a triangle has to have on its side, too. */
+  void ListPointsOnEdges()
+  {
+    std::array<std::int32_t, 2> edge;
+    for (const FaceClip::Corner& corner : this->PolygonCorners)
+    {
+      if (corner.Instance >= 0 && this->Points->IsOnEdge(corner.Instance, edge))
+      {
+        std::vector<std::int32_t>& instances = this->PointsOnEdges[edge];
+        if (std::find(instances.begin(), instances.end(), corner.Instance) == instances.end())
+        {
+          instances.push_back(corner.Instance);
+        }
+      }
+    }
+  }
+
+  FaceRemainder::Point PointOf(std::int32_t instance)
+  {
+    return { &this->Points->Point(this->Points->Node(instance)), this->IdOfInstance(instance) };
+  }
+
+  /** Cut what the part in front of all planes leaves of a triangle into triangles. */
+  void AddRemainder(std::size_t polygon)
+  {
+    const std::int32_t face = this->PolygonFaces[polygon];
+    const std::array<std::int32_t, 3> vertices = this->Points->Corners(face);
+    std::array<ExactPoint, 3> places;
+    std::array<FaceRemainder::Point, 3> corners;
+    std::vector<FaceRemainder::Point> onEdges;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      places[k] = ExactPoint::Vertex(this->Points->Position(vertices[k]).data());
+      corners[k] = { &places[k], this->IdOfVertex(vertices[k]) };
+      const std::int32_t next = vertices[(k + 1) % 3];
+      const auto found =
+        this->PointsOnEdges.find({ std::min(vertices[k], next), std::max(vertices[k], next) });
+      for (std::size_t i = 0; found != this->PointsOnEdges.end() && i < found->second.size(); ++i)
+      {
+        onEdges.push_back(this->PointOf(found->second[i]));
+      }
+    }
+    this->Remainder.Cut(
+      corners, onEdges, this->PartOf(polygon, vertices, places), this->Result.Pieces);
+  }
+
+  /** The id of a triangle's corner; -1 where it lies in front of all planes. */
+  std::int32_t IdOfVertex(std::int32_t vertex)
+  {
+    const VertexSides::Word word = this->Sides.Of(vertex);
+    const bool isOnPlane =
+      (word & VertexSides::NotInFront) != 0 && (word & VertexSides::Behind) == 0;
+    return isOnPlane ? this->IdOfInstance(this->Points->AtVertex(vertex))
+                     : this->Result.PointMap[std::size_t(vertex)];
+  }
+
+  std::vector<FaceRemainder::Point> PartOf(std::size_t polygon,
+    const std::array<std::int32_t, 3>& vertices, const std::array<ExactPoint, 3>& places)
+  {
+    const std::size_t begin = polygon == 0 ? 0 : this->PolygonEnds[polygon - 1];
+    const std::size_t end = this->PolygonEnds[polygon];
+    std::vector<FaceRemainder::Point> part;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const FaceClip::Corner& corner = this->PolygonCorners[i];
+      const FaceClip::Corner& next = this->PolygonCorners[i + 1 == end ? begin : i + 1];
+      if (corner.Instance < 0)
+      {
+        const auto k =
+          std::find(vertices.begin(), vertices.end(), corner.Vertex) - vertices.begin();
+        part.push_back({ &places[std::size_t(k)], -1 });
+        continue;
+      }
+      part.push_back(this->PointOf(corner.Instance));
+      if (next.Instance >= 0)
+      {
+        this->SplitNodes.clear();
+        AppendSplit(this->Splits, this->Points->Node(corner.Instance),
+          this->Points->Node(next.Instance), this->SplitNodes);
+        for (std::size_t k = 1; k + 1 < this->SplitNodes.size(); ++k)
+        {
+          part.push_back(this->PointOf(this->Points->Instance(this->SplitNodes[k])));
+        }
+      }
+    }
+    return part;
   }
 
   const ClipRequest& Request;
@@ -364,6 +461,9 @@ private:
   std::vector<std::array<std::int32_t, 3>> CapInstances;
   std::vector<std::int32_t> IdOfInstances;
   ConvexOutline Outline;
+  bool IsRest = false; ///< kept is what several planes leave, which is not convex
+  std::map<std::array<std::int32_t, 2>, std::vector<std::int32_t>> PointsOnEdges; ///< instances
+  FaceRemainder Remainder;
   std::vector<std::int32_t> SplitNodes;
 };
 

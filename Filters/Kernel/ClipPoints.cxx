@@ -144,6 +144,13 @@ ExactPlane ClipPoints::PlaneOfFace(std::int32_t face) const
     this->Position(corners[2]).data());
 }
 
+bool ClipPoints::IsOnEdge(std::int32_t instance, std::array<std::int32_t, 2>& edge) const
+{
+  const Name& name = this->Names[std::size_t(instance)];
+  edge = { name[0], name[1] };
+  return name[1] >= 0;
+}
+
 InterpolatedPoint ClipPoints::Output(std::int32_t instance) const
 {
   const Name& name = this->Names[std::size_t(instance)];

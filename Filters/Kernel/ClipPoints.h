@@ -69,6 +69,9 @@ public:
   const HalfSpace& Plane(std::int32_t plane) const { return this->Planes[std::size_t(plane)]; }
   std::int32_t NumberOfPlanes() const { return static_cast<std::int32_t>(this->Planes.size()); }
 
+  /** Whether an instance is named by an edge, and then that edge, the lower vertex first. */
+  bool IsOnEdge(std::int32_t instance, std::array<std::int32_t, 2>& edge) const;
+
   /** The point as the caller gets it: a vertex with its own bytes, a new point rounded once. */
   InterpolatedPoint Output(std::int32_t instance) const;
 

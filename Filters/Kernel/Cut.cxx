@@ -55,7 +55,7 @@ public:
   void Run(const std::vector<std::int32_t>& faces, const std::array<double, 3>& normal)
   {
     std::vector<Contour> contours(1);
-    FaceClip clip(this->Points);
+    FaceClip clip(this->Points, false);
     for (const std::int32_t face : faces)
     {
       clip.Clip(face, contours);

@@ -100,7 +100,7 @@ bool FaceClip::ClipBy(std::int32_t plane, std::vector<Contour>& contours)
     }
     return true;
   }
-  if (anyBehind || !this->LooksBackwards(plane))
+  if (anyBehind || !this->KeepsFacesInPlane || !this->LooksBackwards(plane))
   {
     return false;
   }

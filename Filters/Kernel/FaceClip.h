@@ -35,8 +35,10 @@ public:
     std::int32_t Instance; ///< of ClipPoints, or -1 for a vertex that lies on no plane
   };
 
-  explicit FaceClip(ClipPoints& points)
+  /** @param keepsFacesInPlane false: triangles in a plane are never kept, but left to the cap. */
+  explicit FaceClip(ClipPoints& points, bool keepsFacesInPlane = true)
     : Points(points)
+    , KeepsFacesInPlane(keepsFacesInPlane)
   {
   }
 
@@ -58,6 +60,7 @@ private:
   std::int32_t InstanceOf(Corner& corner);
 
   ClipPoints& Points;
+  const bool KeepsFacesInPlane;
   std::int32_t Face = -1;
   std::vector<Corner> Polygon;
   /** By side, from each corner to the next: 0 to 2 for an edge of the triangle, else 3 + plane. */

@@ -37,9 +37,10 @@ VertexSides::Word SidesOf(
 class FaceBlock
 {
 public:
-  FaceBlock(const Surface& mesh, VertexSides& sides, std::size_t numberOfPlanes)
+  FaceBlock(const Surface& mesh, VertexSides& sides, std::size_t numberOfPlanes, bool insideOut)
     : Mesh(mesh)
     , Sides(sides)
+    , InsideOut(insideOut)
     , Certain(numberOfPlanes > VertexSides::PlaneBits ? VertexSides::NotInFront >> 1
                                                       : VertexSides::NotInFront)
   {
@@ -75,27 +76,59 @@ private:
       this->Found.BadCoordinate = this->Found.BadCoordinate < 0 ? face : this->Found.BadCoordinate;
       return Fate::Dropped;
     }
-    // No corner in front of some plane, and one behind it: nothing is left. But the caps of the
-    // planes before that one need what the triangle adds to their contours.
-    const unsigned dropping = all & (any >> VertexSides::PlaneBits) & this->Certain;
-    const unsigned before = (dropping & (0u - dropping)) - 1u;
-    if (dropping != 0 && (any & before) == 0)
+    const Fate fate =
+      this->InsideOut ? this->FateOfRest(face, any, all) : this->FateOf(face, any, all);
+    if (fate != Fate::Dropped)
+    {
+      this->Sides.MarkUsed(ids[0], a);
+      this->Sides.MarkUsed(ids[1], b);
+      this->Sides.MarkUsed(ids[2], c);
+    }
+    return fate;
+  }
+
+  /** Whether some plane has the whole triangle behind it, while no plane before touches it: their
+   * caps need what it adds to their contours. */
+  static bool IsBehind(unsigned planes, unsigned any)
+  {
+    const unsigned before = (planes & (0u - planes)) - 1u;
+    return planes != 0 && (any & before) == 0;
+  }
+
+  Fate Touch(std::int64_t face, Fate fate)
+  {
+    this->Found.Touched.push_back(static_cast<std::int32_t>(face));
+    return fate;
+  }
+
+  Fate FateOf(std::int64_t face, unsigned any, unsigned all)
+  {
+    // No corner in front of some plane, and one behind it: nothing is left.
+    if (IsBehind(all & (any >> VertexSides::PlaneBits) & this->Certain, any))
     {
       return Fate::Dropped;
     }
-    this->Sides.MarkUsed(ids[0], a);
-    this->Sides.MarkUsed(ids[1], b);
-    this->Sides.MarkUsed(ids[2], c);
+    return (any & VertexSides::NotInFront) == 0 ? Fate::Kept : this->Touch(face, Fate::Split);
+  }
+
+  Fate FateOfRest(std::int64_t face, unsigned any, unsigned all)
+  {
     if ((any & VertexSides::NotInFront) == 0)
     {
-      return Fate::Kept;
+      return Fate::Dropped;
     }
-    this->Found.Touched.push_back(static_cast<std::int32_t>(face));
-    return Fate::Split;
+    // With all corners behind a plane, no point of what is taken out lies on its edges.
+    const unsigned behind = (all >> VertexSides::PlaneBits) & this->Certain;
+    if (behind == 0)
+    {
+      return this->Touch(face, Fate::Split);
+    }
+    return IsBehind(behind, any) ? Fate::Kept : this->Touch(face, Fate::Kept);
   }
 
   const Surface& Mesh;
   VertexSides& Sides;
+  const bool InsideOut;
   const unsigned Certain;
   FaceSides Found;
 };
@@ -118,7 +151,7 @@ VertexSides FindVertexSides(const Surface& mesh, const Lattice& lattice,
 }
 
 FaceSides FindFaceSides(const Surface& mesh, VertexSides& sides, std::size_t numberOfPlanes,
-  std::vector<Fate>& fates, Executor& executor)
+  bool insideOut, std::vector<Fate>& fates, Executor& executor)
 {
   const std::int64_t count = mesh.NumberOfTriangles;
   std::vector<FaceSides> blocks(std::size_t((count + grain - 1) / grain));
@@ -127,7 +160,7 @@ FaceSides FindFaceSides(const Surface& mesh, VertexSides& sides, std::size_t num
       for (std::int64_t block = begin; block < end; ++block)
       {
         blocks[std::size_t(block)] =
-          FaceBlock(mesh, sides, numberOfPlanes)
+          FaceBlock(mesh, sides, numberOfPlanes, insideOut)
             .Run(block * grain, std::min(count, (block + 1) * grain), fates);
       }
     });

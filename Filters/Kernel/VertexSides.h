@@ -39,8 +39,13 @@ public:
   {
     return this->Words[std::size_t(vertex)].load(std::memory_order_relaxed);
   }
-  /** Whether a vertex lies in front of all planes and has a triangle there. */
-  bool IsKept(std::int64_t vertex) const { return this->Of(vertex) == Used; }
+  /** Whether a vertex lies in front of all planes and has a triangle there; or, inside out, behind
+   * one of them. */
+  bool IsKept(std::int64_t vertex, bool insideOut) const
+  {
+    const Word word = this->Of(vertex);
+    return insideOut ? (word & Used) != 0 && (word & Behind) != 0 : word == Used;
+  }
   void MarkUsed(std::int64_t vertex, Word word)
   {
     if ((word & Used) == 0)
@@ -61,9 +66,12 @@ struct FaceSides
   std::int64_t BadCoordinate = -1; ///< the first triangle with a corner that is not finite
 };
 
-/** Sets the fates of all triangles but the touched ones, and marks the vertices in use. */
+/**
+ * Sets the fates of all triangles (Split means that it has to be looked at), and marks the vertices
+ * in use. Inside out, kept is what is dropped otherwise; a triangle may then be kept and touched.
+ */
 FaceSides FindFaceSides(const Surface& mesh, VertexSides& sides, std::size_t numberOfPlanes,
-  std::vector<Fate>& fates, Executor& executor);
+  bool insideOut, std::vector<Fate>& fates, Executor& executor);
 
 } // namespace sb
 
