@@ -152,11 +152,12 @@ void vtkPolyDataIntersection::Run::Compute()
   for (const sbvtk::SurfaceConnection& connection : this->Connections)
   {
     request.Operands.push_back({ connection.Surface->Mesh(), connection.Side,
-      connection.Surface->Examination(this->Executor) });
+      connection.Surface->Examination(this->Executor, sb::OpenSurfaces::Accept) });
     request.Split.push_back(connection.Side == sb::Group::Input
         ? this->Filter->SplitFirstOutput != 0
         : this->Filter->SplitSecondOutput != 0);
   }
+  this->Times.push_back({ "Examine inputs", this->Watch.Lap() });
   sbvtk::KernelMonitor monitor(this->Filter, 0.05, 0.9);
   this->Result = sb::ComputeIntersection(request, this->Executor, monitor);
   this->Times.insert(this->Times.end(), this->Result.Times.begin(), this->Result.Times.end());
