@@ -51,9 +51,17 @@ enum class Group : std::uint8_t
  * (Ingest.h). */
 struct Examination;
 
+/** Whether it has to be found out where a surface is open, which takes longer than all the rest. */
+enum class OpenSurfaces : std::uint8_t
+{
+  Diagnose,
+  Accept ///< enough where no surface needs an inside
+};
+
 /** Examine a surface; worth keeping, as Operand::Known, for as long as the surface does not change.
  */
-std::shared_ptr<const Examination> Examine(const Surface& surface, Executor& executor);
+std::shared_ptr<const Examination> Examine(
+  const Surface& surface, Executor& executor, OpenSurfaces open = OpenSurfaces::Diagnose);
 
 struct Operand
 {

@@ -186,8 +186,9 @@ Remark FindBadCoordinate(const Surface& mesh)
 class Examiner
 {
 public:
-  Examiner(const Surface& mesh, Executor& executor)
+  Examiner(const Surface& mesh, OpenSurfaces open, Executor& executor)
     : Mesh(mesh)
+    , Open(open)
     , Threads(executor)
   {
   }
@@ -223,8 +224,12 @@ public:
     this->MeasureBounds();
     if (!this->Result.Report.Closed)
     {
-      this->Result.Remarks.push_back(Diagnose(this->Mesh, hashes, this->Result.Rim, this->Threads));
       this->Result.IsOpen = true;
+      if (this->Open == OpenSurfaces::Diagnose)
+      {
+        this->Result.Remarks.push_back(
+          Diagnose(this->Mesh, hashes, this->Result.Rim, this->Threads));
+      }
     }
     else if (this->Result.Report.Volume < 0.0)
     {
@@ -313,14 +318,16 @@ private:
   }
 
   const Surface& Mesh;
+  const OpenSurfaces Open;
   Executor& Threads;
 };
 
 } // namespace
 
-std::shared_ptr<const Examination> Examine(const Surface& surface, Executor& executor)
+std::shared_ptr<const Examination> Examine(
+  const Surface& surface, Executor& executor, OpenSurfaces open)
 {
-  Examiner examiner(surface, executor);
+  Examiner examiner(surface, open, executor);
   examiner.Run();
   return std::make_shared<const Examination>(std::move(examiner.Result));
 }

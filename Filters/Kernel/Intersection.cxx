@@ -45,8 +45,16 @@ public:
       this->AddRemark(Status::BadRequest);
       return this->Finish();
     }
-    Ingested ingested =
-      this->Clock.Timed("Check", 0.02, [&] { return Ingest(this->Surfaces, this->Threads); });
+    Ingested ingested = this->Clock.Timed("Check", 0.02, [&] {
+      for (Operand& operand : this->Surfaces.Operands)
+      {
+        if (!operand.Known)
+        {
+          operand.Known = Examine(operand.Mesh, this->Threads, OpenSurfaces::Accept);
+        }
+      }
+      return Ingest(this->Surfaces, this->Threads);
+    });
     this->Result.Operands = ingested.Reports;
     std::copy_if(ingested.Remarks.begin(), ingested.Remarks.end(),
       std::back_inserter(this->Result.Remarks), Concerns);

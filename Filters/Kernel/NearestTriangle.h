@@ -95,16 +95,21 @@ private:
   void FillNextLevel(std::vector<Summary>& summaries, Executor& executor);
   void EncloseNode(Builder& box, const Node& node, int level, std::size_t child) const;
 
-  /** Squared distances from the query to the boxes, as floats: a few units of rounding off. */
-  static void MeasureBoxes(const Node& node, const std::array<float, 3>& query, float* squared);
-  /** The same far away, where floats could not tell the boxes apart. */
-  static void MeasureBoxes(const Node& node, const std::array<double, 3>& query, double* squared);
+  /** Descends from the root with the boxes measured by Boxes::Measure: four or eight at a time, or
+   * in doubles. All give the same answers. */
+  template <class Boxes>
+  void Descend(Search<typename Boxes::Real>& search, Answer& best) const;
+  void DescendFast(Search<float>& search, Answer& best) const;
+  void DescendByEight(Search<float>& search, Answer& best) const;
 
-  template <class Real>
-  void Descend(const Vector3& query, double slack, Answer& best) const;
-  template <class Real>
-  void OpenNode(Search<Real>& search, int level, std::int32_t index, Answer& best) const;
+  struct PlainBoxes;
+  struct FourBoxes;
+  struct EightBoxes;
+  struct FarBoxes;
+
   void Measure(const Vector3& query, std::int32_t triangle, Answer& best) const;
+  template <class Searching>
+  void MeasureWithin(Searching& search, std::int32_t triangle, Answer& best) const;
 
   Surface Triangles;
   std::array<double, 3> Origin{};

@@ -326,11 +326,12 @@ std::int32_t OperandSurface::CellOfTriangle(std::int64_t triangle) const
 }
 
 //------------------------------------------------------------------------------
-const std::shared_ptr<const sb::Examination>& OperandSurface::Examination(sb::Executor& executor)
+const std::shared_ptr<const sb::Examination>& OperandSurface::Examination(
+  sb::Executor& executor, sb::OpenSurfaces open)
 {
   if (!this->Examined)
   {
-    this->Examined = sb::Examine(this->Triangulated, executor);
+    this->Examined = sb::Examine(this->Triangulated, executor, open);
   }
   return this->Examined;
 }

@@ -56,8 +56,10 @@ public:
   vtkPolyData* Data() const { return this->Copy; }
   const sb::Surface& Mesh() const { return this->Triangulated; }
 
-  /** The kernel's examination of the surface, made when first asked for. */
-  const std::shared_ptr<const sb::Examination>& Examination(sb::Executor& executor);
+  /** The kernel's examination of the surface, made when first asked for; `open` has to be the same
+   * every time. */
+  const std::shared_ptr<const sb::Examination>& Examination(
+    sb::Executor& executor, sb::OpenSurfaces open = sb::OpenSurfaces::Diagnose);
 
   /** Cells before the first polygon (vertices and lines). */
   std::int32_t FirstCell() const { return this->NumberOfCellsBefore; }

@@ -152,7 +152,7 @@ void vtkPolyDataIntersection::Run::Compute()
   for (const sbvtk::SurfaceConnection& connection : this->Connections)
   {
     request.Operands.push_back({ connection.Surface->Mesh(), connection.Side,
-      connection.Surface->Examination(this->Executor) });
+      connection.Surface->Examination(this->Executor, sb::OpenSurfaces::Accept) });
     request.Split.push_back(connection.Side == sb::Group::Input
         ? this->Filter->SplitFirstOutput != 0
         : this->Filter->SplitSecondOutput != 0);

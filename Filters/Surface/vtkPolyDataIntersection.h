@@ -69,7 +69,7 @@ public:
   {
     NOT_A_SURFACE = 20, ///< error: an input is no polygonal surface
     OUT_OF_MEMORY = 22, ///< error: the result does not fit into memory
-    NO_CURVE = 30 ///< no error and no warning: the surfaces do not meet in a curve
+    NO_CURVE = 40 ///< no error and no warning: the surfaces do not meet in a curve
   };
 
   ///@{

@@ -15,7 +15,7 @@ from intersections import intersection, update
 from meshes import box, mesh
 from surfacebooleans.vtk import vtkPolyDataIntersection
 
-EMPTY_OPERAND, BAD_COORDINATE, BAD_INDEX, ABORTED, BAD_REQUEST, NOT_A_SURFACE, NO_CURVE = 1, 6, 7, 9, 10, 20, 30
+EMPTY_OPERAND, BAD_COORDINATE, BAD_INDEX, ABORTED, BAD_REQUEST, NOT_A_SURFACE, NO_CURVE = 1, 6, 7, 9, 10, 20, 40
 CUBE, OTHER = box((0, 0, 0), (2, 2, 2)), box((1, 1, 1), (3, 3, 3))
 PROPERTIES = {
     "Input": None,

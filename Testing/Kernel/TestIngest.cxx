@@ -278,6 +278,11 @@ void CheckLarge()
   const sb::Remark remark = RemarkOn(open);
   CHECK(remark.Condition == Status::OpenOperand);
   CHECK_EQUAL(remark.Count, 3);
+  // Where that does not matter, nothing is said, and nothing else is different.
+  sb::SerialExecutor serial;
+  const auto accepted = sb::Examine(open.View(), serial, sb::OpenSurfaces::Accept);
+  CHECK(accepted->IsOpen && accepted->Remarks.empty() && accepted->Rim.empty());
+  CHECK(accepted->Report.Bounds == sb::Examine(open.View(), serial)->Report.Bounds);
 }
 
 } // namespace
