@@ -196,6 +196,8 @@ void vtkPolyDataClipClosedSurface::Run::Compute()
 {
   sb::ClipRequest request;
   request.Mesh = this->Input->Mesh();
+  request.FirstTriangles = this->Input->FirstTriangleOfCells();
+  request.NumberOfCells = this->Input->NumberOfPolygons() + this->Input->NumberOfStrips();
   request.Planes = this->Planes;
   request.InsideOut = this->Filter->InsideOut != 0;
   request.Tolerance = this->Filter->Tolerance;

@@ -128,5 +128,5 @@ def test_a_series_of_cross_sections_and_their_outlines_filled_again():
     outline = simple.ClosedSurfaceCut(Input=simple.Box(), Triangulate=0)
     filled = simple.ContourTriangulator(Input=outline)
     filled.UpdatePipeline()
-    assert filled.GetDataInformation().GetNumberOfCells() == 6
+    assert filled.GetDataInformation().GetNumberOfCells() == 2
     assert filled.FieldData["PolygonCount"].GetRange() == (1.0, 1.0)
