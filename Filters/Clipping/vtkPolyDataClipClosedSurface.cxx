@@ -129,7 +129,11 @@ void vtkPolyDataClipClosedSurface::Run::ListPlanes()
   }
   for (const std::array<double, 6>& plane : this->Filter->Planes)
   {
-    add(plane.data(), plane.data() + 3);
+    // A row that was just added to ParaView's table holds zeros until the user fills it in.
+    if (plane != std::array<double, 6>{})
+    {
+      add(plane.data(), plane.data() + 3);
+    }
   }
   if (vtkPlaneCollection* collection = this->Filter->ClippingPlanes)
   {
@@ -192,6 +196,8 @@ void vtkPolyDataClipClosedSurface::Run::Compute()
 {
   sb::ClipRequest request;
   request.Mesh = this->Input->Mesh();
+  request.FirstTriangles = this->Input->FirstTriangleOfCells();
+  request.NumberOfCells = this->Input->NumberOfPolygons() + this->Input->NumberOfStrips();
   request.Planes = this->Planes;
   request.InsideOut = this->Filter->InsideOut != 0;
   request.Tolerance = this->Filter->Tolerance;

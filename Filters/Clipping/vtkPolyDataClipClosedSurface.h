@@ -93,7 +93,8 @@ public:
   ///@}
 
   ///@{
-  /** A table of further planes: origin and normal (of any length but 0) of each. */
+  /** A table of further planes: origin and normal (of any length but 0) of each. A row of six zeros
+   * is none. */
   void SetNumberOfPlanes(int number);
   int GetNumberOfPlanes() const { return static_cast<int>(this->Planes.size()); }
   void SetPlane(int index, double originX, double originY, double originZ, double normalX,

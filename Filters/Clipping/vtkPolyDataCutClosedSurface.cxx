@@ -147,7 +147,10 @@ void vtkPolyDataCutClosedSurface::Run::EndStage(const char* name)
 void vtkPolyDataCutClosedSurface::Run::Compute()
 {
   sb::CutRequest request;
-  request.Mesh = this->Filter->Input->Prepared.Surface().Mesh();
+  const sbvtk::OperandSurface& surface = this->Filter->Input->Prepared.Surface();
+  request.Mesh = surface.Mesh();
+  request.FirstTriangles = surface.FirstTriangleOfCells();
+  request.NumberOfCells = surface.NumberOfPolygons() + surface.NumberOfStrips();
   std::copy_n(this->Filter->Origin, 3, request.Plane.Origin.begin());
   std::copy_n(this->Filter->Normal, 3, request.Plane.Normal.begin());
   request.Offsets = this->Filter->Offsets;

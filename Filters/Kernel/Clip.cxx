@@ -4,6 +4,9 @@
 
 #include "CapContours.h"
 #include "CapFilling.h"
+#include "CellClip.h"
+#include "CellGroups.h"
+#include "CellOutline.h"
 #include "ClipPoints.h"
 #include "FaceClip.h"
 #include "FaceRemainder.h"
@@ -192,22 +195,53 @@ private:
     });
   }
 
+  void CutFace(FaceClip& clip, std::int32_t face)
+  {
+    const std::vector<FaceClip::Corner>& polygon = clip.Clip(face, this->Contours);
+    if (polygon.size() > 2 ||
+      (this->IsRest && this->Result.Fates[std::size_t(face)] == Fate::Split))
+    {
+      this->PolygonFaces.push_back(face);
+      this->PolygonCorners.insert(this->PolygonCorners.end(), polygon.begin(), polygon.end());
+      this->PolygonEnds.push_back(this->PolygonCorners.size());
+    }
+  }
+
+  void CutCell(CellClip& cell, std::int32_t first, std::int32_t last)
+  {
+    std::vector<std::int32_t> faces;
+    for (std::int32_t face = first; face < last; ++face)
+    {
+      if (this->Result.Fates[std::size_t(face)] != Fate::Dropped)
+      {
+        faces.push_back(face);
+        this->Result.Fates[std::size_t(face)] = Fate::Split;
+      }
+    }
+    const std::vector<CellSide>& sides = cell.Run(faces, first, last, this->Contours);
+    if (!sides.empty())
+    {
+      this->CellFaces.push_back(first);
+      this->CellSides.insert(this->CellSides.end(), sides.begin(), sides.end());
+      this->CellEnds.push_back(this->CellSides.size());
+    }
+  }
+
   bool CutFaces()
   {
     this->Points.reset(new ClipPoints(this->Mesh, this->Grid, this->Planes));
     this->Contours.resize(this->Planes.size());
     FaceClip clip(*this->Points);
-    for (const std::int32_t face : this->Touched)
-    {
-      const std::vector<FaceClip::Corner>& polygon = clip.Clip(face, this->Contours);
-      if (polygon.size() > 2 ||
-        (this->IsRest && this->Result.Fates[std::size_t(face)] == Fate::Split))
-      {
-        this->PolygonFaces.push_back(face);
-        this->PolygonCorners.insert(this->PolygonCorners.end(), polygon.begin(), polygon.end());
-      }
-      this->PolygonEnds.resize(this->PolygonFaces.size(), this->PolygonCorners.size());
-    }
+    CellClip cell(*this->Points, clip);
+    VisitCells(this->Touched, this->Request.FirstTriangles, this->Request.NumberOfCells,
+      [&](auto begin, auto end, std::int32_t first, std::int32_t last) {
+        if (last - first > 1 && !this->IsRest && cell.IsFlat(first, last))
+        {
+          this->CutCell(cell, first, last);
+          return;
+        }
+        std::for_each(begin, end, [&](std::int32_t face) { this->CutFace(clip, face); });
+      });
     return this->EndStage("Cuts", 0.7);
   }
 
@@ -245,6 +279,12 @@ private:
       this->IsRest ? this->AddRemainder(i) : this->AddPieces(i);
       this->Result.Parents.resize(this->Result.Pieces.size(), this->PolygonFaces[i]);
     }
+    for (std::size_t i = 0; i < this->CellFaces.size(); ++i)
+    {
+      this->AddPiecesOfCell(i);
+      this->Result.Parents.resize(this->Result.Pieces.size(), this->CellFaces[i]);
+    }
+    this->RemoveCollapsed();
     for (const std::array<std::int32_t, 3>& triangle : this->CapInstances)
     {
       // The rest of the solid lies on the other side of the caps.
@@ -328,6 +368,23 @@ private:
       : this->Mesh.Points + 3 * std::int64_t(this->Result.KeptPoints[std::size_t(id)]);
   }
 
+  /** A triangle whose corners became one point adds nothing to any edge: leave it out. */
+  void RemoveCollapsed()
+  {
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < this->Result.Pieces.size(); ++i)
+    {
+      const std::array<std::int32_t, 3> t = this->Result.Pieces[i];
+      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+      {
+        this->Result.Parents[next] = this->Result.Parents[i];
+        this->Result.Pieces[next++] = t;
+      }
+    }
+    this->Result.Pieces.resize(next);
+    this->Result.Parents.resize(next);
+  }
+
   /** Cut what is left of a triangle into triangles. */
   void AddPieces(std::size_t polygon)
   {
@@ -351,6 +408,49 @@ private:
       }
     }
     this->Outline.Cut([this](std::int32_t id) { return this->PlaceOf(id); }, this->Result.Pieces);
+  }
+
+  /** Cut what is left of a flat cell into triangles. */
+  void AddPiecesOfCell(std::size_t cell)
+  {
+    const std::array<std::int32_t, 3> corners = this->Points->Corners(this->CellFaces[cell]);
+    CellOutline outline(ComputeDominantNormal(this->Points->Position(corners[0]).data(),
+      this->Points->Position(corners[1]).data(), this->Points->Position(corners[2]).data()));
+    for (std::size_t i = cell == 0 ? 0 : this->CellEnds[cell - 1]; i < this->CellEnds[cell]; ++i)
+    {
+      const CellSide& side = this->CellSides[i];
+      this->SplitNodes.clear();
+      if (side.From.Instance >= 0 && side.To.Instance >= 0)
+      {
+        AppendSplit(this->Splits, this->Points->Node(side.From.Instance),
+          this->Points->Node(side.To.Instance), this->SplitNodes);
+      }
+      std::int32_t from = this->AddTo(outline, side.From);
+      for (std::size_t k = 1; k + 1 < this->SplitNodes.size(); ++k)
+      {
+        const std::int32_t between =
+          this->AddTo(outline, { -1, this->Points->Instance(this->SplitNodes[k]) });
+        outline.AddSide(from, between);
+        from = between;
+      }
+      outline.AddSide(from, this->AddTo(outline, side.To));
+    }
+    outline.Cut([this](std::int32_t id) { return this->PlaceOf(id); }, this->Result.Pieces);
+  }
+
+  /** A corner of an outline: its id in the result. */
+  std::int32_t AddTo(CellOutline& outline, const FaceClip::Corner& corner)
+  {
+    const std::int32_t id = this->IdOf(corner);
+    if (corner.Instance >= 0)
+    {
+      outline.AddPoint(id, this->Points->Point(this->Points->Node(corner.Instance)));
+    }
+    else
+    {
+      outline.AddPoint(id, ExactPoint::Vertex(this->Points->Position(corner.Vertex).data()));
+    }
+    return id;
   }
 
   /** What neighbours put on edges, a triangle has to have on its side, too. */
@@ -458,6 +558,9 @@ private:
   std::vector<std::int32_t> PolygonFaces;
   std::vector<FaceClip::Corner> PolygonCorners;
   std::vector<std::size_t> PolygonEnds;
+  std::vector<std::int32_t> CellFaces; ///< by flat cell that is cut: its first triangle
+  std::vector<CellSide> CellSides;
+  std::vector<std::size_t> CellEnds;
   std::vector<std::array<std::int32_t, 3>> CapInstances;
   std::vector<std::int32_t> IdOfInstances;
   ConvexOutline Outline;

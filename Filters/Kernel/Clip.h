@@ -29,6 +29,10 @@ namespace sb
 struct ClipRequest
 {
   Surface Mesh;
+  /** The first triangle of each cell, and the end of the last; null if each triangle is one. A cell
+   * that is flat stays one polygon through all planes. */
+  const std::int32_t* FirstTriangles = nullptr;
+  std::int64_t NumberOfCells = 0;
   std::vector<ClipPlane> Planes; ///< kept is what lies in front of all
   /** Kept is what does not lie in front of all planes. */
   bool InsideOut = false;

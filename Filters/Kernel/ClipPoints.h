@@ -72,6 +72,12 @@ public:
   /** Whether an instance is named by an edge, and then that edge, the lower vertex first. */
   bool IsOnEdge(std::int32_t instance, std::array<std::int32_t, 2>& edge) const;
 
+  /** The plane in the name of such an instance. */
+  std::int32_t PlaneOnEdge(std::int32_t instance) const
+  {
+    return this->Names[std::size_t(instance)][2];
+  }
+
   /** The point as the caller gets it: a vertex with its own bytes, a new point rounded once. */
   InterpolatedPoint Output(std::int32_t instance) const;
 

@@ -5,6 +5,8 @@
 #include "CapContours.h"
 #include "CapFilling.h"
 #include "CapPolygons.h"
+#include "CellClip.h"
+#include "CellGroups.h"
 #include "ClipPoints.h"
 #include "FaceClip.h"
 #include "PlaneOnLattice.h"
@@ -52,14 +54,21 @@ public:
   {
   }
 
-  void Run(const std::vector<std::int32_t>& faces, const std::array<double, 3>& normal)
+  void Run(const CutRequest& request, const std::vector<std::int32_t>& faces,
+    const std::array<double, 3>& normal)
   {
     std::vector<Contour> contours(1);
     FaceClip clip(this->Points, false);
-    for (const std::int32_t face : faces)
-    {
-      clip.Clip(face, contours);
-    }
+    CellClip cell(this->Points, clip);
+    VisitCells(faces, request.FirstTriangles, request.NumberOfCells,
+      [&](auto begin, auto end, std::int32_t first, std::int32_t last) {
+        if (last - first > 1 && cell.IsFlat(first, last))
+        {
+          cell.Run(std::vector<std::int32_t>(begin, end), first, last, contours);
+          return;
+        }
+        std::for_each(begin, end, [&](std::int32_t face) { clip.Clip(face, contours); });
+      });
     SplitSegments splits;
     const OpenContourCount open = CompleteContours(this->Points, contours, splits);
     this->Result.JoinedContours = open.Joined;
@@ -387,7 +396,7 @@ private:
         for (std::int64_t i = begin; i < end && !this->Listener.Aborted(); ++i)
         {
           Section section(this->Mesh, this->Grid, this->Planes[std::size_t(i)]);
-          section.Run(this->Faces[std::size_t(i)], this->Normal);
+          section.Run(this->Request, this->Faces[std::size_t(i)], this->Normal);
           parts[std::size_t(i)] = std::move(section.Result);
         }
       });

@@ -24,6 +24,8 @@ namespace sb
 struct CutRequest
 {
   Surface Mesh;
+  const std::int32_t* FirstTriangles = nullptr; ///< as in ClipRequest
+  std::int64_t NumberOfCells = 0;
   ClipPlane Plane;
   /** Where the planes lie: distances along the normal, in the unit of the points. */
   std::vector<double> Offsets{ 0.0 };

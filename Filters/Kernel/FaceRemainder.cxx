@@ -41,7 +41,7 @@ void FaceRemainder::Cut(const std::array<Point, 3>& corners, const std::vector<P
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
     const int next = vertices[i + 1 == vertices.size() ? 0 : i + 1];
-    this->Mesh.Constrain(vertices[i], next, 0, *this);
+    this->Mesh.Constrain(vertices[i], next, static_cast<int>(i), *this);
   }
   const std::vector<std::uint8_t> isPart = this->FindPart(vertices);
   for (std::size_t cell = 0; cell < this->Mesh.Cells().size(); ++cell)

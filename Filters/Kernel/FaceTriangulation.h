@@ -69,7 +69,8 @@ public:
    * searched for. */
   int InsertOnEdge(const ExactPoint* point, int edge);
 
-  /** Make the segment between two vertices a chain of edges, each marked with the constraint. */
+  /** Make the segment between two vertices a chain of edges, each marked with the constraint, a
+   * number that is used for segments of one line only. */
   void Constrain(int from, int to, int constraint, ConstraintSource& source);
 
   /** The same where there is such an edge already, and else nothing; @return whether there is. */

@@ -76,6 +76,12 @@ public:
     return this->AllTriangles() ? cell : this->FirstTriangles[cell];
   }
 
+  /** FirstTriangle of all cells, and the end; null if each cell is one triangle. */
+  const std::int32_t* FirstTriangleOfCells() const
+  {
+    return this->AllTriangles() ? nullptr : this->FirstTriangles.data();
+  }
+
   /** The cell of the data set that a triangle was cut from. */
   std::int32_t CellOfTriangle(std::int64_t triangle) const;
 

@@ -30,6 +30,7 @@ class Case:
     volume: float  # or the length of the curves
     tolerance: float  # absolute, same unit as volume
     contenders: tuple = ("ours", "manifold3d", "trueform", "trueform-float", "meshlib")
+    planes: tuple = ()  # of a clip: pairs (origin, normal); kept is what lies in front of all
     triangles: int = field(init=False)
 
     def __post_init__(self):
@@ -286,6 +287,49 @@ def many_spheres(counts, frequency):
 VTK = ("ours", "manifold3d", "vtk", "trueform", "meshlib")
 
 
+# ----------------------------------------------------------------------------------------------------------- clips
+
+
+def clipped_volume(mesh, planes):
+    """Volume of a solid in front of planes: of tetrahedra from a point of all planes to the clipped triangles."""
+    normals = np.array([normal for _, normal in planes], dtype=float)
+    apex = np.linalg.lstsq(normals, np.einsum("ij,ij->i", normals, np.array([o for o, _ in planes])), rcond=None)[0]
+    corners = (mesh[0] - apex)[mesh[1]]
+    for normal in normals:
+        corners = clipped_triangles(corners, normal)
+    return float(np.einsum("ij,ij->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2]))) / 6
+
+
+def clipped_triangles(corners, normal):
+    """The parts of triangles (n, 3, 3) in front of a plane through the origin, as triangles."""
+    height = corners @ normal
+    number = np.count_nonzero(height > 0, axis=1)
+    parts = [corners[number == 3]]
+    for inside in (1, 2):  # turned so that the odd one out comes first
+        some, h = corners[number == inside], height[number == inside]
+        first = np.argmax(h > 0, axis=1) if inside == 1 else np.argmin(h > 0, axis=1)
+        order = (first[:, None] + np.arange(3)) % 3
+        a, b, c = np.moveaxis(np.take_along_axis(some, order[..., None], 1), 1, 0)
+        ha, hb, hc = np.take_along_axis(h, order, 1).T[..., None]
+        ab, ac = a + (b - a) * ha / (ha - hb), a + (c - a) * ha / (ha - hc)
+        parts += [np.stack(t, 1) for t in ([(a, ab, ac)] if inside == 1 else [(ab, b, c), (ab, c, ac)])]
+    return np.concatenate(parts)
+
+
+def clips(frequencies):
+    """A bumpy sphere clipped by one plane and by three."""
+    planes = tuple(((0.05, 0.02, 0.03), tuple(normal)) for normal in GENERIC)
+    contenders = ("ours", "vtk-packaged", "vtk", "manifold3d", "trimesh", "meshlib", "trueform")
+    for name, frequency in frequencies:
+        sphere = icosphere(frequency)
+        phase = np.array([[0.1], [0.2], [0.3]])
+        solid = sphere[0] * bumpy_radius(sphere[0], phase)[:, None], sphere[1]
+        for count in (1, 3):
+            volume = clipped_volume(solid, planes[:count])
+            title = f"clip {name}, {count} plane" + "s" * (count > 1)
+            yield Case(title, "clip", [solid], [], volume, 1e-4 * volume, contenders, planes[:count])
+
+
 def all_cases(quick):
     """Every case, made one at a time. Quick: the same shapes, small, to try the harness."""
     operations = ("union", "intersection", "difference")
@@ -296,6 +340,7 @@ def all_cases(quick):
     yield from small_tool(32 if quick else 224)
     yield from plate_minus_spheres((10, 20, 40) if quick else (250, 500, 1000))
     yield from many_spheres((5, 10) if quick else (25, 50), 8 if quick else 32)
+    yield from clips((("5k", 16),) if quick else (("500k", 158), ("2M", 316)))
     yield from two_spheres(8 if quick else 22, ("union",), "spheres 20k", contenders=VTK)
     if not quick:
         yield from two_spheres(44, ("union",), "spheres 80k", contenders=VTK)

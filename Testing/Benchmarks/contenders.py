@@ -15,8 +15,9 @@ import numpy as np
 from cases import CURVES
 
 class Contender:
-    def prepare(self, operation, input, tool):
+    def prepare(self, operation, input, tool, planes=()):
         self.operation = operation
+        self.planes = planes
         self.meshes = [self.native(*mesh) for mesh in input + tool]
         self.number_of_inputs = len(input)
 

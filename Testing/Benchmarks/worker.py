@@ -18,6 +18,7 @@ from pathlib import Path
 import numpy as np
 
 from cases import box, mesh_volume
+from clippers import CLIPPERS
 from contenders import CONTENDERS
 
 
@@ -95,17 +96,22 @@ def load(directory):
         for k in range(case[side]):
             meshes.append(tuple(np.load(directory / f"{side}{k}-{part}.npy") for part in ("points", "triangles")))
         sides.append(meshes)
-    return case["operation"], *sides
+    return case["operation"], *sides, case["planes"]
 
 
 def main():
     answers = os.fdopen(os.dup(1), "w")
     os.dup2(2, 1)  # what a library prints must not get among the answers
 
-    contender = CONTENDERS[sys.argv[1]]()
-    contender.prepare("union", [box((0, 0, 0), (1, 1, 1))], [box((0.5, 0.4, 0.3), (2, 2, 2))])
+    case = load(Path(sys.argv[2]))
+    if case[0] == "clip":
+        contender = CLIPPERS[sys.argv[1]]()
+        contender.prepare("clip", [box((0, 0, 0), (1, 1, 1))], [], [((0.5, 0.5, 0.5), (1, 2, 3))])
+    else:
+        contender = CONTENDERS[sys.argv[1]]()
+        contender.prepare("union", [box((0, 0, 0), (1, 1, 1))], [box((0.5, 0.4, 0.3), (2, 2, 2))])
     contender.update()  # loads libraries and starts threads, which are not the case's memory
-    contender.prepare(*load(Path(sys.argv[2])))
+    contender.prepare(*case)
 
     moves = 0
     result = None
