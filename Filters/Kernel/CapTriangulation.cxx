@@ -160,10 +160,38 @@ private:
     constrain();
     if (this->IsSplit)
     {
-      // All parts are edges now: a second time tells the points on each edge in their order.
+      // All parts are edges now: a second time tells the points on each edge.
       this->Result.PointsOnEdges.resize(this->Input.Edges.size());
       constrain();
+      for (std::size_t i = 0; i < this->Input.Edges.size(); ++i)
+      {
+        this->SortAlong(this->Input.Edges[i], this->Result.PointsOnEdges[i]);
+      }
     }
+  }
+
+  /** Put points on an edge into the order in which it runs through them. */
+  void SortAlong(const PlanarContours::Edge& edge, std::vector<std::int32_t>& points) const
+  {
+    const ExactPoint& from = this->PlaceOf(edge.From);
+    const ExactPoint& to = this->PlaceOf(edge.To);
+    int axis = (this->Input.Normal.Axis + 1) % 3;
+    if (CompareAlong(from, to, axis) == 0)
+    {
+      axis = (this->Input.Normal.Axis + 2) % 3;
+    }
+    const int forward = CompareAlong(from, to, axis);
+    std::sort(points.begin(), points.end(), [&](std::int32_t l, std::int32_t r) {
+      return CompareAlong(this->PlaceOf(l), this->PlaceOf(r), axis) == forward;
+    });
+  }
+
+  const ExactPoint& PlaceOf(std::int32_t point) const
+  {
+    const std::size_t index = std::size_t(point);
+    const std::size_t numberOfPoints = this->Input.Points.size();
+    return index < numberOfPoints ? *this->Input.Points[index]
+                                  : this->Result.Crossings[index - numberOfPoints];
   }
 
   /** How often the contours run along each edge of the triangulation, from the lower vertex to the
