@@ -7,6 +7,7 @@
 #include "ParallelSort.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sb
 {
@@ -276,21 +277,7 @@ private:
     }
     if (this->Order.size() > few)
     {
-      const int u = (this->Normal.Axis + 1) % 3;
-      const int v = (this->Normal.Axis + 2) % 3;
-      double low[2] = { std::min({ this->P(0)[u], this->P(1)[u], this->P(2)[u] }),
-        std::min({ this->P(0)[v], this->P(1)[v], this->P(2)[v] }) };
-      const double extent =
-        std::max(std::max({ this->P(0)[u], this->P(1)[u], this->P(2)[u] }) - low[0],
-          std::max({ this->P(0)[v], this->P(1)[v], this->P(2)[v] }) - low[1]);
-      const double scale = 65535.0 / extent;
-      for (const std::size_t i : this->Order)
-      {
-        const double* p = this->Table.Point(this->OnFace[i].Node).Approximation();
-        this->OnFace[i].Order = HilbertIndex(
-          static_cast<std::uint32_t>(std::clamp((p[u] - low[0]) * scale, 0.0, 65535.0)),
-          static_cast<std::uint32_t>(std::clamp((p[v] - low[1]) * scale, 0.0, 65535.0)));
-      }
+      this->RankAlongCurve();
       std::sort(this->Order.begin(), this->Order.end(), [this](std::size_t l, std::size_t r) {
         return this->OnFace[l].Order != this->OnFace[r].Order
           ? this->OnFace[l].Order < this->OnFace[r].Order
@@ -298,6 +285,30 @@ private:
       });
     }
     return this->Order;
+  }
+
+  /** Over the box of the points, which may be crowded in a corner of the face. */
+  void RankAlongCurve()
+  {
+    const int u = (this->Normal.Axis + 1) % 3;
+    const int v = (this->Normal.Axis + 2) % 3;
+    std::array<double, 2> low{ HUGE_VAL, HUGE_VAL };
+    std::array<double, 2> high{ -HUGE_VAL, -HUGE_VAL };
+    for (const std::size_t i : this->Order)
+    {
+      const double* p = this->Table.Point(this->OnFace[i].Node).Approximation();
+      low = { std::min(low[0], p[u]), std::min(low[1], p[v]) };
+      high = { std::max(high[0], p[u]), std::max(high[1], p[v]) };
+    }
+    const double extent = std::max(high[0] - low[0], high[1] - low[1]);
+    const double scale = extent > 0.0 ? 65535.0 / extent : 0.0;
+    for (const std::size_t i : this->Order)
+    {
+      const double* p = this->Table.Point(this->OnFace[i].Node).Approximation();
+      this->OnFace[i].Order =
+        HilbertIndex(static_cast<std::uint32_t>(std::clamp((p[u] - low[0]) * scale, 0.0, 65535.0)),
+          static_cast<std::uint32_t>(std::clamp((p[v] - low[1]) * scale, 0.0, 65535.0)));
+    }
   }
 
   /** The place of a point along a Hilbert curve over a grid of 2^16 cells a side. */

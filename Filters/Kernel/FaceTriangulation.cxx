@@ -84,18 +84,18 @@ int FaceTriangulation::InsertAt(const Place& place, const ExactPoint* point)
 void FaceTriangulation::Constrain(int from, int to, int constraint, ConstraintSource& source)
 {
   this->Lines.Extend(constraint + 1);
+  const Place place = this->FindEdge(from, to);
+  if (place.Cell != None)
+  {
+    this->Mark(place.Cell, place.Edge, constraint);
+    return;
+  }
+  if (place.Vertex == to)
+  {
+    std::swap(from, to); // fewer cells to look at
+  }
   while (from != to)
   {
-    const Place place = this->FindEdge(from, to);
-    if (place.Cell != None)
-    {
-      this->Mark(place.Cell, place.Edge, constraint);
-      return;
-    }
-    if (place.Vertex == to)
-    {
-      std::swap(from, to); // fewer cells to look at
-    }
     const int before = this->NumberOfVertices();
     const int reached = this->Advance(from, to, constraint, source);
     if (reached != to && reached < before)
@@ -526,9 +526,10 @@ FaceTriangulation::Place FaceTriangulation::Leave(int from, int to) const
   std::array<int, 2> vertices{ None, None };
   std::array<int, 2> sides{ 0, 0 };
   const auto sideOf = [&](int vertex) {
-    return vertex == vertices[0] ? sides[0]
-      : vertex == vertices[1]    ? sides[1]
-                                 : this->Orientation(from, to, vertex);
+    return vertex == to       ? 0
+      : vertex == vertices[0] ? sides[0]
+      : vertex == vertices[1] ? sides[1]
+                              : this->Orientation(from, to, vertex);
   };
   this->VisitCellsAround(from, [&](int cell, int i) {
     const Cell& here = this->Triangles[std::size_t(cell)];

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Many operands in one call: right, and with no more contacts than there must be.
 
-How the time grows is measured by Testing/Benchmarks; here the work is counted.
+How the time grows is measured by Testing/Benchmarks; here the work is counted. Where faces coincide
+or all cross each other, also the time of the cuts is compared, between sizes and in one process.
 """
 
 import functools
@@ -129,3 +130,79 @@ def test_more_than_sixty_four_operands_common_to_all():
     assert result.status == 0 and measures.open_edges(result.body) == 0
     assert result.volume == pytest.approx(0.75 * 2 * 1.5, rel=1e-14)
     assert result.area == pytest.approx(2 * (0.75 * 2 + 2 * 1.5 + 0.75 * 1.5), rel=1e-14)
+
+
+def seconds_of_cuts(result):
+    stages = result.field_data
+    return float(dict(zip(stages["StageNames"], stages["StageSeconds"]))["Cuts"])
+
+
+def boxes_along_a_diagonal(count):
+    return [meshes.box((k / 256,) * 3, (1 + k / 256,) * 3) for k in range(count)]
+
+
+def test_a_hundred_boxes_that_all_overlap_each_other():
+    """Sixteen times the contacts of 25 boxes, and about as many times the time."""
+    few = min(seconds_of_cuts(boolean(boxes_along_a_diagonal(25), [], UNION)) for _ in range(3))
+    boxes = boxes_along_a_diagonal(100)
+    common, united = boolean(boxes, [], INTERSECTION), boolean(boxes, [], UNION)
+    for result in (common, united):
+        assert result.status == 0 and measures.open_edges(result.body) == 0
+    assert common.volume == pytest.approx((1 - 99 / 256) ** 3, rel=1e-14)
+    assert united.volume == pytest.approx(1 + 99 * (1 - (255 / 256) ** 3), rel=1e-13)
+    assert seconds_of_cuts(united) < 80 * few + 0.05
+
+
+def test_boxes_in_a_row_have_four_planes_in_common():
+    boxes = [meshes.box((k / 128, -1, -1), (1 + k / 128, 1, 1)) for k in range(20)]
+    result = boolean(boxes, [], UNION)
+    assert result.status == 0 and measures.open_edges(result.body) == 0
+    assert result.volume == pytest.approx(4 * (1 + 19 / 128), rel=1e-14)
+    assert result.area == pytest.approx(8 + 8 * (1 + 19 / 128), rel=1e-14)
+
+
+def unit_cubes(size):
+    corners = np.stack(np.meshgrid(*[np.arange(size, dtype=float)] * 3), axis=-1).reshape(-1, 3)
+    return [meshes.box(low, low + 1) for low in corners]
+
+
+@pytest.mark.parametrize("as_one", [False, True])
+def test_a_thousand_voxels_become_one_block(as_one):
+    cubes = unit_cubes(10)
+    result = (
+        boolean([meshes.joined(*cubes)], [], RESOLVE) if as_one else boolean(cubes, [], UNION)
+    )
+    assert result.status == 0 and measures.open_edges(result.body) == 0
+    assert result.volume == 1000 and result.area == 600
+    assert result.surface.GetNumberOfCells() == 1200  # nothing is cut: each square has its two
+
+
+def plate_and_flush_cylinder(sides):
+    """A cylinder on a plate: its lower cap, a fan around one corner, is in the plane of the top."""
+    plate = meshes.box((-2, -2, -1), (2, 2, 0))
+    angles = 2 * np.pi * np.arange(sides) / sides
+    ring = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    points = np.concatenate([np.column_stack([ring, np.full(sides, z)]) for z in (0.0, 1.0)])
+    here, there = np.arange(sides), np.roll(np.arange(sides), -1)
+    fan = np.column_stack([np.zeros(sides - 2, dtype=int), here[1:-1], there[1:-1]])
+    faces = [
+        np.column_stack([here, there, there + sides]),
+        np.column_stack([here, there + sides, here + sides]),
+        fan[:, ::-1],
+        fan + sides,
+    ]
+    area = sides / 2 * np.sin(2 * np.pi / sides)
+    return plate, meshes.mesh(points, np.concatenate(faces)), 16 + area
+
+
+def test_a_cylinder_of_many_sides_stands_on_a_plate():
+    """Eight times the sides, and not much more than eight times the time."""
+    few = min(
+        seconds_of_cuts(boolean(*[[m] for m in plate_and_flush_cylinder(500)[:2]], UNION))
+        for _ in range(3)
+    )
+    plate, cylinder, volume = plate_and_flush_cylinder(4000)
+    result = boolean([plate], [cylinder], UNION)
+    assert result.status == 0 and measures.open_edges(result.body) == 0
+    assert result.volume == pytest.approx(volume, rel=1e-12)
+    assert seconds_of_cuts(result) < 30 * few + 0.05
