@@ -74,16 +74,7 @@ public:
   {
     this->Begin(face, firstContact, endOfContacts);
     this->InsertPoints();
-    for (std::size_t i = firstContact; i < endOfContacts; ++i)
-    {
-      const Contact& contact = this->Contacts.Contacts[i];
-      const int from = this->VertexOfEnd(contact, 0);
-      const int to = this->VertexOfEnd(contact, 1);
-      if (from != to)
-      {
-        this->Mesh.Constrain(from, to, static_cast<int>(i - firstContact), *this);
-      }
-    }
+    this->DrawContacts();
     this->CollectRegions();
   }
 
@@ -96,8 +87,15 @@ public:
     {
       this->Out.SelfIntersecting[std::size_t(operand)] = 1;
     }
-    return ExactPoint::ThreePlanes(ExactPlane::Through(this->P(0), this->P(1), this->P(2)),
-      this->Carrier(first), this->Carrier(second));
+    // An edge of a coplanar face is known by two of its points, which makes for smaller numbers.
+    if (first.OtherEdge >= 0)
+    {
+      return this->OnEdge(first, second);
+    }
+    return second.OtherEdge >= 0
+      ? this->OnEdge(second, first)
+      : ExactPoint::ThreePlanes(ExactPlane::Through(this->P(0), this->P(1), this->P(2)),
+          this->PlaneOf(first), this->PlaneOf(second));
   }
 
   void PassesThrough(int constraint, int vertex) override
@@ -112,14 +110,13 @@ public:
     {
       return;
     }
-    const NodeId node = this->NodeOfLocal[std::size_t(vertex)];
-    for (std::size_t i = this->FirstContact; i < this->EndOfContacts; ++i)
+    this->ListMakers();
+    const Maker wanted{ this->NodeOfLocal[std::size_t(vertex)], operand, -1 };
+    for (auto maker = std::lower_bound(this->Makers.begin(), this->Makers.end(), wanted);
+         maker != this->Makers.end() && maker->Node == wanted.Node && maker->Operand == operand;
+         ++maker)
     {
-      const Contact& candidate = this->Contacts.Contacts[i];
-      if (candidate.Other != contact.Other &&
-        (this->Nodes[std::size_t(candidate.Points[0])] == node ||
-          this->Nodes[std::size_t(candidate.Points[1])] == node) &&
-        this->World.OperandOfFace(candidate.Other) == operand)
+      if (maker->Face != contact.Other)
       {
         this->Out.SelfIntersecting[std::size_t(operand)] = 1;
         return;
@@ -136,6 +133,30 @@ private:
     std::uint64_t Order;
   };
 
+  /** A face whose contact ends at a node. */
+  struct Maker
+  {
+    NodeId Node;
+    std::int32_t Operand;
+    std::int32_t Face;
+
+    friend bool operator<(const Maker& l, const Maker& r)
+    {
+      return l.Node != r.Node    ? l.Node < r.Node
+        : l.Operand != r.Operand ? l.Operand < r.Operand
+                                 : l.Face < r.Face;
+    }
+  };
+
+  /** A contact that is not an edge of the triangulation of the points. */
+  struct Stroke
+  {
+    std::uint64_t Rank;
+    int From;
+    int To;
+    int Constraint;
+  };
+
   const double* P(int corner) const
   {
     return this->World.Position(this->Corners[std::size_t(corner)]);
@@ -145,17 +166,33 @@ private:
     return this->Contacts.Contacts[this->FirstContact + std::size_t(constraint)];
   }
 
-  ExactPlane Carrier(const Contact& contact) const
+  std::array<const double*, 3> CornersOf(const Contact& contact) const
   {
     const std::array<std::int32_t, 3> corners = this->World.Corners(contact.Other);
-    if (contact.OtherEdge < 0)
-    {
-      return ExactPlane::Through(this->World.Position(corners[0]), this->World.Position(corners[1]),
-        this->World.Position(corners[2]));
-    }
+    return { this->World.Position(corners[0]), this->World.Position(corners[1]),
+      this->World.Position(corners[2]) };
+  }
+
+  ExactPlane PlaneOf(const Contact& contact) const
+  {
+    const std::array<const double*, 3> p = this->CornersOf(contact);
+    return ExactPlane::Through(p[0], p[1], p[2]);
+  }
+
+  /** Where a contact along an edge of a coplanar face crosses another. */
+  ExactPoint OnEdge(const Contact& contact, const Contact& other) const
+  {
+    const std::array<const double*, 3> p = this->CornersOf(contact);
+    const std::array<const double*, 3> q = this->CornersOf(other);
     const auto edge = std::size_t(contact.OtherEdge);
-    return ExactPlane::Vertical(this->World.Position(corners[edge]),
-      this->World.Position(corners[(edge + 1) % 3]), this->Normal.Axis);
+    const double* from = p[edge];
+    const double* to = p[(edge + 1) % 3];
+    if (other.OtherEdge < 0)
+    {
+      return ExactPoint::LinePlane(from, to, q[0], q[1], q[2]);
+    }
+    const auto otherEdge = std::size_t(other.OtherEdge);
+    return ExactPoint::LineLine(from, to, q[otherEdge], q[(otherEdge + 1) % 3], this->Normal.Axis);
   }
 
   void Begin(std::int32_t face, std::size_t firstContact, std::size_t endOfContacts)
@@ -167,6 +204,7 @@ private:
     this->Corners = this->World.Corners(this->Operand, face);
     this->Normal = ComputeDominantNormal(this->P(0), this->P(1), this->P(2));
     this->HasCoplanar = false;
+    this->Makers.clear();
 
     this->OnFace.clear();
     for (std::size_t i = firstContact; i < endOfContacts; ++i)
@@ -292,6 +330,54 @@ private:
       ->Vertex;
   }
 
+  /** All contacts of the face by the nodes at which they end; listed when first asked for. */
+  void ListMakers()
+  {
+    if (!this->Makers.empty())
+    {
+      return;
+    }
+    for (std::size_t i = this->FirstContact; i < this->EndOfContacts; ++i)
+    {
+      const Contact& contact = this->Contacts.Contacts[i];
+      const std::int32_t operand = this->World.OperandOfFace(contact.Other);
+      for (const std::int32_t point : contact.Points)
+      {
+        this->Makers.push_back({ this->Nodes[std::size_t(point)], operand, contact.Other });
+      }
+    }
+    std::sort(this->Makers.begin(), this->Makers.end());
+  }
+
+  void DrawContacts()
+  {
+    this->Strokes.clear();
+    for (std::size_t i = this->FirstContact; i < this->EndOfContacts; ++i)
+    {
+      const Contact& contact = this->Contacts.Contacts[i];
+      const int from = this->VertexOfEnd(contact, 0);
+      const int to = this->VertexOfEnd(contact, 1);
+      const int constraint = static_cast<int>(i - this->FirstContact);
+      if (from != to && !this->Mesh.ConstrainEdge(from, to, constraint))
+      {
+        this->Strokes.push_back({ Mix(std::uint64_t(constraint)), from, to, constraint });
+      }
+    }
+    // A long contact can cross many edges, but not contacts drawn before, which end it or are ended
+    // by it. In random order the edges left to cross become few soon (Shewchuk and Brown, "Fast
+    // segment insertion and incremental construction of constrained Delaunay triangulations",
+    // Computational Geometry 48(8), 2015, section 4).
+    if (this->Strokes.size() > few)
+    {
+      std::sort(this->Strokes.begin(), this->Strokes.end(),
+        [](const Stroke& l, const Stroke& r) { return l.Rank < r.Rank; });
+    }
+    for (const Stroke& stroke : this->Strokes)
+    {
+      this->Mesh.Constrain(stroke.From, stroke.To, stroke.Constraint, *this);
+    }
+  }
+
   CornerRef RefOf(int vertex)
   {
     const auto index = std::size_t(vertex);
@@ -387,6 +473,8 @@ private:
   std::array<CornerRef, 3> CornerRefs{};
   std::vector<PointOnFace> OnFace;
   std::vector<std::size_t> Order;
+  std::vector<Maker> Makers;
+  std::vector<Stroke> Strokes;
   std::vector<CornerRef> NodeOfLocal;
   std::vector<Location> WhereOfLocal;
   std::vector<std::uint8_t> Visited;

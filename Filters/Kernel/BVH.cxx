@@ -173,4 +173,35 @@ void BVH::FillNextLevel(Executor& executor)
     });
 }
 
+bool BVH::AnyOverlap(const Box& box) const
+{
+  if (this->Numbers.empty())
+  {
+    return false;
+  }
+  const FloatBox query = this->ToFrame(box);
+  std::array<NodeId, MostLevels * Width> open;
+  std::size_t numberOpen = 1;
+  open[0] = { static_cast<std::int32_t>(this->Levels.size()) - 1, 0 };
+  while (numberOpen > 0)
+  {
+    const NodeId id = open[--numberOpen];
+    const Node& node =
+      this->Levels[static_cast<std::size_t>(id.Level)][static_cast<std::size_t>(id.Index)];
+    for (unsigned lanes = node.LanesThatMeet(query); lanes != 0; lanes &= lanes - 1)
+    {
+      const std::int32_t child = id.Index * Width + LowestLane(lanes);
+      if (id.Level > 0)
+      {
+        open[numberOpen++] = { id.Level - 1, child };
+      }
+      else if (Overlap(this->Boxes[static_cast<std::size_t>(child)], box))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 } // namespace sb

@@ -86,6 +86,9 @@ public:
   template <class Visit>
   void ForEachOverlap(const Query* queries, int numberOfQueries, Visit&& visit) const;
 
+  /** Whether any of the hierarchy's boxes meets this one. */
+  bool AnyOverlap(const Box& box) const;
+
 private:
   static constexpr int MostLevels = 11; // 8^11 > 2^31
 

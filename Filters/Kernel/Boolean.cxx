@@ -10,7 +10,7 @@
 #include "Scene.h"
 #include "Stages.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace sb
 {
@@ -33,8 +33,7 @@ public:
 
   BooleanResult Run()
   {
-    if (this->Request.Operands.empty() || !(this->Request.Tolerance >= 0.0) ||
-      !std::isfinite(this->Request.Tolerance))
+    if (this->Request.Operands.empty())
     {
       this->AddRemark(Status::BadRequest);
       return this->Finish();
@@ -47,8 +46,8 @@ public:
     {
       return this->Finish();
     }
-    const Scene scene = this->Clock.Timed("Lattice", 0.1,
-      [&] { return Scene(this->Request, ingested.Reports, ingested.Swapped, this->Threads); });
+    const Scene scene = this->Clock.Timed(
+      "Lattice", 0.1, [&] { return Scene(this->Request, ingested, this->Threads); });
     std::vector<std::uint8_t> self(this->Request.Operands.size(), 0);
     if (this->Request.Op == Operation::Resolve)
     {

@@ -83,10 +83,6 @@ struct BooleanRequest
 {
   std::vector<Operand> Operands;
   Operation Op = Operation::Union;
-  /** How far a vertex may be moved before the exact arithmetic starts (same unit as the points); 0
-   * moves nothing but the lattice step (2^-52 of the largest coordinate). It never widens a
-   * predicate. */
-  double Tolerance = 0.0;
 };
 
 /** What became of an input triangle. */
@@ -113,7 +109,7 @@ enum class Status : std::int32_t
   BadIndex = 7, ///< error: a triangle names a point that does not exist
   TooLarge = 8, ///< error: more points or triangles than 32-bit ids can count
   Aborted = 9, ///< the caller asked to stop; the result is empty
-  BadRequest = 10 ///< error: no operand, or a negative or non-finite tolerance
+  BadRequest = 10 ///< error: no operand, or a setting of the filter that cannot be used
 };
 
 /** True for the conditions under which the result is empty. */

@@ -7,13 +7,14 @@
  *
  * 1. Surfaces: the *region* of a surface encloses what its box has in common with the others'
  * boxes.
- * 2. Points: each gets the code of its cell in a grid over the regions, and marks the cell
+ * 2. Blocks: what is in no block that meets another surface's block is dropped (TriangleBlocks.h).
+ * 3. Points: each gets the code of its cell in a grid over the regions, and marks the cell
  * (OccupancyGrid.h).
- * 3. Triangles, first pass: where the box touches more cells than the corners are in, it marks them
+ * 4. Triangles, first pass: where the box touches more cells than the corners are in, it marks them
  * all. The grid is chosen so that this is rare, and so most of the work is done for points, which
  * are fewer and lie in a row.
- * 4. Triangles, second pass: those survive that touch a cell which several surfaces marked.
- * 5. Pairs: of two surfaces whose boxes meet, the one with fewer survivors goes into the hierarchy,
+ * 5. Triangles, second pass: those survive that touch a cell which several surfaces marked.
+ * 6. Pairs: of two surfaces whose boxes meet, the one with fewer survivors goes into the hierarchy,
  * and the other's ask.
  *
  * Memory is linear: 4 bytes a point, some bytes a triangle for the grid, 300 a survivor in the
@@ -28,8 +29,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <memory>
+#include <utility>
 
 namespace sb
 {
@@ -65,7 +68,6 @@ struct Chunk
   std::int32_t Surface;
   std::int64_t Begin;
   std::int64_t End;
-  std::int32_t HighestPoint = -1;
   bool Inside = false; ///< whether a corner is inside the surface's region
   std::vector<std::int32_t> Wide; ///< triangles that touch more cells than their corners are in
   std::vector<CellRange> Large; ///< the cells of those with too many to be marked at once
@@ -166,42 +168,114 @@ std::vector<Box> FindRegions(const Surfaces& surfaces, const Neighbourhood& neig
   return regions;
 }
 
-std::vector<Chunk> CutIntoChunks(const Surfaces& surfaces, const std::vector<Box>& regions)
+/** What is left of one surface to look at. */
+struct Remainder
 {
-  std::vector<Chunk> chunks;
-  for (std::size_t i = 0; i < surfaces.size(); ++i)
+  std::vector<Chunk> Chunks; ///< the triangles of the blocks near another surface
+  std::vector<std::pair<std::int32_t, std::int32_t>> Points; ///< [first, last], ascending, apart
+};
+
+/** Ranges sorted, and those that overlap or follow each other put together. */
+std::vector<std::pair<std::int32_t, std::int32_t>> Joined(
+  std::vector<std::pair<std::int32_t, std::int32_t>> ranges)
+{
+  std::sort(ranges.begin(), ranges.end());
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < ranges.size(); ++i)
   {
-    if (IsEmpty(regions[i]))
+    if (ranges[i].first <= ranges[last].second + 1)
     {
-      continue;
+      ranges[last].second = std::max(ranges[last].second, ranges[i].second);
     }
-    for (std::int64_t begin = 0; begin < surfaces[i].NumberOfTriangles; begin += ChunkSize)
+    else
     {
-      const std::int64_t end = std::min(begin + ChunkSize, surfaces[i].NumberOfTriangles);
-      chunks.push_back({ static_cast<std::int32_t>(i), begin, end, -1, false, {}, {}, {} });
+      ranges[++last] = ranges[i];
     }
   }
-  return chunks;
+  ranges.resize(std::min(ranges.size(), last + 1));
+  return ranges;
 }
 
-/** Evenly spaced triangles of all surfaces: how many candidates there are and how large. */
+Remainder RemainderOf(std::int32_t surface, const std::vector<TriangleBlock>& blocks,
+  std::int64_t numberOfTriangles, const NearBlocks& near)
+{
+  Remainder remainder;
+  for (const auto& [firstBlock, endBlock] : near.Runs(static_cast<std::size_t>(surface)))
+  {
+    for (std::int64_t block = firstBlock; block < endBlock; ++block)
+    {
+      const TriangleBlock& of = blocks[static_cast<std::size_t>(block)];
+      remainder.Points.emplace_back(of.LowestPoint, of.HighestPoint);
+    }
+    const std::int64_t end = std::min(endBlock * TriangleBlock::Size, numberOfTriangles);
+    for (std::int64_t begin = firstBlock * TriangleBlock::Size; begin < end; begin += ChunkSize)
+    {
+      remainder.Chunks.push_back(
+        { surface, begin, std::min(begin + ChunkSize, end), false, {}, {}, {} });
+    }
+  }
+  remainder.Points = Joined(std::move(remainder.Points));
+  return remainder;
+}
+
+/** What is left of each surface after step 2. */
+std::vector<Remainder> DropFarBlocks(
+  const Surfaces& surfaces, const Neighbourhood& neighbourhood, Executor& executor)
+{
+  std::vector<std::vector<TriangleBlock>> made(surfaces.size());
+  std::vector<const std::vector<TriangleBlock>*> blocks;
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+  {
+    const BroadPhaseSurface& surface = surfaces[i];
+    if (!surface.Blocks)
+    {
+      made[i] = BlocksOf(surface.Points, surface.Triangles, surface.NumberOfTriangles, executor);
+    }
+    blocks.push_back(surface.Blocks ? surface.Blocks : &made[i]);
+  }
+  NearBlocks near(blocks, executor);
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+  {
+    if (surfaces[i].Self)
+    {
+      near.MarkAll(i);
+    }
+  }
+  neighbourhood.ForEachPair(
+    [&near](std::size_t i, std::size_t j, const Box& common) { near.MarkMeeting(i, j, common); });
+  std::vector<Remainder> remainders;
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+  {
+    remainders.push_back(
+      RemainderOf(static_cast<std::int32_t>(i), *blocks[i], surfaces[i].NumberOfTriangles, near));
+  }
+  return remainders;
+}
+
+/** Evenly spaced triangles of what is left of all surfaces: how many candidates there are and how
+ * large. */
 class Sample
 {
 public:
-  Sample(const Surfaces& surfaces, const std::vector<Box>& regions)
+  Sample(const Surfaces& surfaces, const std::vector<Box>& regions,
+    const std::vector<Remainder>& remainders)
     : Region(EmptyBox())
   {
     std::int64_t triangles = 0;
     for (std::size_t i = 0; i < surfaces.size(); ++i)
     {
       Enclose(this->Region, regions[i]);
-      triangles += IsEmpty(regions[i]) ? 0 : surfaces[i].NumberOfTriangles;
+      triangles += NumberOfTriangles(remainders[i]);
     }
+    const std::int64_t usualStride = std::max<std::int64_t>(triangles / SampleSize, 1);
     for (std::size_t i = 0; i < surfaces.size(); ++i)
     {
-      if (!IsEmpty(regions[i]))
+      const std::int64_t most = NumberOfTriangles(remainders[i]) / SmallestSample;
+      const std::int64_t stride = std::max<std::int64_t>(std::min(usualStride, most), 1);
+      std::int64_t skip = 0;
+      for (const Chunk& chunk : remainders[i].Chunks)
       {
-        this->Take(surfaces[i], regions[i], std::max<std::int64_t>(triangles / SampleSize, 1));
+        skip = this->Take(surfaces[i], regions[i], chunk, skip, stride);
       }
     }
   }
@@ -265,30 +339,45 @@ private:
     std::array<double, 3> SmallestSides;
   };
 
-  void Take(const BroadPhaseSurface& surface, const Box& region, std::int64_t usualStride)
+  static std::int64_t NumberOfTriangles(const Remainder& remainder)
   {
-    const std::int64_t count = surface.NumberOfTriangles;
-    const std::int64_t stride =
-      std::max<std::int64_t>(std::min(usualStride, count / SmallestSample), 1);
-    for (std::int64_t triangle = 0; triangle < count; triangle += stride)
+    std::int64_t number = 0;
+    for (const Chunk& chunk : remainder.Chunks)
+    {
+      number += chunk.End - chunk.Begin;
+    }
+    return number;
+  }
+
+  /** Take every stride-th triangle of a chunk after the first `skip`; returns how many to skip in
+   * the next. */
+  std::int64_t Take(const BroadPhaseSurface& surface, const Box& region, const Chunk& chunk,
+    std::int64_t skip, std::int64_t stride)
+  {
+    std::int64_t triangle = chunk.Begin + skip;
+    for (; triangle < chunk.End; triangle += stride)
     {
       const Box box = BoxOf(surface, triangle);
-      if (!Overlap(box, region))
+      if (Overlap(box, region))
       {
-        continue;
+        this->Add(CommonPart(box, region), static_cast<double>(stride));
       }
-      const Box inside = CommonPart(box, region);
-      Element element;
-      element.Weight = static_cast<double>(stride);
-      this->Candidates += element.Weight;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        element.Sides[axis] = inside.Upper[axis] - inside.Lower[axis];
-        this->MeanSides[axis] +=
-          (element.Sides[axis] - this->MeanSides[axis]) * element.Weight / this->Candidates;
-      }
-      this->Elements.push_back(element);
     }
+    return triangle - chunk.End;
+  }
+
+  void Add(const Box& inside, double weight)
+  {
+    Element element;
+    element.Weight = weight;
+    this->Candidates += weight;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      element.Sides[axis] = inside.Upper[axis] - inside.Lower[axis];
+      this->MeanSides[axis] +=
+        (element.Sides[axis] - this->MeanSides[axis]) * weight / this->Candidates;
+    }
+    this->Elements.push_back(element);
   }
 
   void SetBits(Grid& grid, std::size_t axis, int bits) const
@@ -341,29 +430,33 @@ bool ForEachChunk(std::vector<Chunk>& chunks, Executor& executor, Monitor& monit
   return !monitor.Aborted();
 }
 
-/** Steps 2 to 4; the words of the grid have to hold the numbers of the surfaces twice. */
+/** Steps 3 to 5; the words of the grid have to hold the numbers of the surfaces twice. */
 template <class Word>
 class SurvivorSearch
 {
 public:
-  SurvivorSearch(
-    const Surfaces& surfaces, const std::vector<Box>& regions, Executor& executor, Monitor& monitor)
+  SurvivorSearch(const Surfaces& surfaces, const std::vector<Box>& regions,
+    std::vector<Remainder> remainders, Executor& executor, Monitor& monitor)
     : AllSurfaces(surfaces)
     , Host(executor)
     , Ear(monitor)
-    , Shape(Sample(surfaces, regions).FinestLinearGrid())
+    , Shape(Sample(surfaces, regions, remainders).FinestLinearGrid())
     , Grid(this->Shape)
-    , Chunks(CutIntoChunks(surfaces, regions))
   {
     for (const Box& region : regions)
     {
       this->Insides.push_back(IsEmpty(region) ? CellRange{} : this->Shape.Cells(region));
     }
+    for (Remainder& remainder : remainders)
+    {
+      this->AddPointBlocks(remainder.Points);
+      std::move(remainder.Chunks.begin(), remainder.Chunks.end(), std::back_inserter(this->Chunks));
+    }
   }
 
   std::vector<Survivor> Run()
   {
-    this->MakePointBlocks();
+    this->Codes.reset(new std::uint32_t[static_cast<std::size_t>(this->NumberOfCodes)]);
     this->ForEach(this->Blocks, [this](PointBlock& block) { this->MarkPoints(block); });
     this->ForEach(this->Chunks, [this](Chunk& chunk) { this->MarkWide(chunk); });
     const std::int64_t mostCells = this->MarkLarge();
@@ -406,32 +499,21 @@ private:
       : OccupancyGrid<Word>::MarkOf(static_cast<std::int32_t>(surface));
   }
 
-  /** How many points the surfaces' triangles refer to; blocks of them. */
-  void MakePointBlocks()
+  /** Make blocks of the next surface's points. Room is made for the codes of the others, too, but
+   * never touched. */
+  void AddPointBlocks(const std::vector<std::pair<std::int32_t, std::int32_t>>& ranges)
   {
-    this->ForEach(this->Chunks, [this](Chunk& chunk) {
-      const std::int32_t* const ids =
-        this->AllSurfaces[static_cast<std::size_t>(chunk.Surface)].Triangles;
-      chunk.HighestPoint = *std::max_element(ids + 3 * chunk.Begin, ids + 3 * chunk.End);
-    });
-    std::vector<std::int64_t> numbersOfPoints(this->AllSurfaces.size(), 0);
-    for (const Chunk& chunk : this->Chunks)
+    const std::size_t surface = this->FirstCodes.size();
+    this->FirstCodes.push_back(this->NumberOfCodes);
+    for (const auto& [first, last] : ranges)
     {
-      std::int64_t& number = numbersOfPoints[static_cast<std::size_t>(chunk.Surface)];
-      number = std::max<std::int64_t>(number, chunk.HighestPoint + 1);
-    }
-    std::int64_t total = 0;
-    for (std::size_t surface = 0; surface < numbersOfPoints.size(); ++surface)
-    {
-      this->FirstCodes.push_back(total);
-      total += numbersOfPoints[surface];
-      for (std::int64_t begin = 0; begin < numbersOfPoints[surface]; begin += ChunkSize)
+      for (std::int64_t begin = first; begin <= last; begin += ChunkSize)
       {
         this->Blocks.push_back(
-          { surface, begin, std::min(begin + ChunkSize, numbersOfPoints[surface]), false });
+          { surface, begin, std::min<std::int64_t>(begin + ChunkSize, last + 1), false });
       }
     }
-    this->Codes.reset(new std::uint32_t[static_cast<std::size_t>(total)]);
+    this->NumberOfCodes += ranges.empty() ? 0 : ranges.back().second + 1;
   }
 
   std::uint32_t* CodesOf(std::size_t surface) const
@@ -638,7 +720,8 @@ private:
   std::vector<Chunk> Chunks;
   std::vector<CellRange> Insides; ///< [surface], the cells of its region
   std::vector<PointBlock> Blocks;
-  std::vector<std::int64_t> FirstCodes; ///< [surface], where its points' codes start
+  std::vector<std::int64_t> FirstCodes; ///< [surface], where the code of its point 0 is
+  std::int64_t NumberOfCodes = 0;
   std::unique_ptr<std::uint32_t[]> Codes; ///< of all points of all surfaces, with their flags
 };
 
@@ -650,12 +733,15 @@ std::vector<Survivor> FindSurvivors(const Surfaces& surfaces, const Neighbourhoo
   {
     return {};
   }
+  std::vector<Remainder> remainders = DropFarBlocks(surfaces, neighbourhood, executor);
   return surfaces.size() <= 16
-    ? SurvivorSearch<std::uint8_t>(surfaces, regions, executor, monitor).Run()
-    : SurvivorSearch<std::uint32_t>(surfaces, regions, executor, monitor).Run();
+    ? SurvivorSearch<std::uint8_t>(surfaces, regions, std::move(remainders), executor, monitor)
+        .Run()
+    : SurvivorSearch<std::uint32_t>(surfaces, regions, std::move(remainders), executor, monitor)
+        .Run();
 }
 
-/** What a surface does in step 5. Its survivors are in a row, and so are those of them in the tree.
+/** What a surface does in step 6. Its survivors are in a row, and so are those of them in the tree.
  */
 struct Role
 {

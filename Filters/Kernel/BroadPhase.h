@@ -5,14 +5,16 @@
  * @brief Which triangles may meet: all pairs of triangles whose closed axis-aligned boxes share a
  * point.
  *
- * No tree over a whole mesh is ever built. Two streaming passes over an occupancy grid first drop
- * every triangle that has no other surface near it, so the cost is a few nanoseconds for each input
- * triangle plus what the triangles near the intersection need.
+ * No tree over a whole mesh is ever built. Blocks of triangles that meet no other surface's block
+ * are dropped first (TriangleBlocks.h). Two streaming passes over an occupancy grid then drop every
+ * triangle that has no other surface near it. So the cost is a few nanoseconds at most for each
+ * input triangle, plus what the triangles near the intersection need.
  */
 #ifndef sb_BroadPhase_h
 #define sb_BroadPhase_h
 
 #include "Executor.h"
+#include "TriangleBlocks.h"
 
 #include <array>
 #include <cstdint>
@@ -30,6 +32,7 @@ struct BroadPhaseSurface
   std::array<double, 6>
     Bounds; ///< xmin xmax ymin ymax zmin zmax of all triangles; larger is allowed
   bool Self; ///< also pair the triangles of this surface with one another
+  const std::vector<TriangleBlock>* Blocks = nullptr; ///< of all triangles; made if null
 };
 
 /** SurfaceA < SurfaceB, or SurfaceA == SurfaceB and TriangleA < TriangleB where that surface's Self

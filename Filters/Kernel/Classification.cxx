@@ -208,51 +208,65 @@ private:
     }
     const std::int32_t first = this->World.FirstFace(operand);
     const std::int64_t count = this->World.FirstFace(operand + 1) - first;
-    std::vector<std::vector<std::int32_t>> blocks(
-      static_cast<std::size_t>((count + BlockSize - 1) / BlockSize));
+    const std::vector<TriangleBlock>& blocks = this->World.Blocks(operand);
+    std::vector<std::vector<std::int32_t>> found(blocks.size());
     this->Threads.For(
-      static_cast<std::int64_t>(blocks.size()), 1, [&](std::int64_t begin, std::int64_t end) {
+      static_cast<std::int64_t>(blocks.size()), 64, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t block = begin; block < end; ++block)
         {
-          const std::int64_t stop = std::min(count, (block + 1) * BlockSize);
-          for (std::int64_t i = block * BlockSize; i < stop; ++i)
+          const Box& bounds = blocks[std::size_t(block)].Bounds;
+          const bool wholly = everywhere || IsInsideAny(bounds, boxes);
+          if (!wholly && !MeetsAny(bounds, boxes))
+          {
+            continue;
+          }
+          const std::int64_t stop = std::min(count, (block + 1) * TriangleBlock::Size);
+          for (std::int64_t i = block * TriangleBlock::Size; i < stop; ++i)
           {
             const std::int32_t face = first + static_cast<std::int32_t>(i);
-            if (everywhere || this->MeetsAny(operand, face, boxes))
+            if (wholly || MeetsAny(this->BoxOf(operand, face), boxes))
             {
-              blocks[std::size_t(block)].push_back(face);
+              found[std::size_t(block)].push_back(face);
             }
           }
         }
       });
     std::vector<std::int32_t>& near = this->Near[std::size_t(operand)];
-    for (const std::vector<std::int32_t>& block : blocks)
+    for (const std::vector<std::int32_t>& block : found)
     {
       near.insert(near.end(), block.begin(), block.end());
     }
   }
 
-  bool MeetsAny(
-    std::int32_t operand, std::int32_t face, const std::vector<std::array<double, 6>>& boxes) const
+  Box BoxOf(std::int32_t operand, std::int32_t face) const
   {
     const std::array<std::int32_t, 3> corners = this->World.Corners(operand, face);
     const double* a = this->World.Position(corners[0]);
     const double* b = this->World.Position(corners[1]);
     const double* c = this->World.Position(corners[2]);
-    for (const std::array<double, 6>& box : boxes)
+    Box box;
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      bool meets = true;
-      for (std::size_t axis = 0; axis < 3 && meets; ++axis)
-      {
-        meets = std::min({ a[axis], b[axis], c[axis] }) <= box[2 * axis + 1] &&
-          std::max({ a[axis], b[axis], c[axis] }) >= box[2 * axis];
-      }
-      if (meets)
-      {
-        return true;
-      }
+      box.Lower[axis] = std::min({ a[axis], b[axis], c[axis] });
+      box.Upper[axis] = std::max({ a[axis], b[axis], c[axis] });
     }
-    return false;
+    return box;
+  }
+
+  static bool MeetsAny(const Box& box, const std::vector<std::array<double, 6>>& others)
+  {
+    return std::any_of(others.begin(), others.end(), [&box](const std::array<double, 6>& other) {
+      return box.Lower[0] <= other[1] && box.Upper[0] >= other[0] && box.Lower[1] <= other[3] &&
+        box.Upper[1] >= other[2] && box.Lower[2] <= other[5] && box.Upper[2] >= other[4];
+    });
+  }
+
+  static bool IsInsideAny(const Box& box, const std::vector<std::array<double, 6>>& others)
+  {
+    return std::any_of(others.begin(), others.end(), [&box](const std::array<double, 6>& other) {
+      return box.Lower[0] >= other[0] && box.Upper[0] <= other[1] && box.Lower[1] >= other[2] &&
+        box.Upper[1] <= other[3] && box.Lower[2] >= other[4] && box.Upper[2] <= other[5];
+    });
   }
 
   std::int32_t SetOfRegion(std::int32_t region) const

@@ -316,6 +316,7 @@ private:
 
   void IntersectCoplanar(const Triangle& a, const Triangle& b)
   {
+    const std::size_t before = this->Contacts.size();
     const DominantNormal normalOfA = ComputeDominantNormal(a.P[0], a.P[1], a.P[2]);
     const int turnOfB = Orient2D(b.P[0], b.P[1], b.P[2], normalOfA.Axis);
     for (int edge = 0; edge < 3; ++edge)
@@ -323,6 +324,55 @@ private:
       this->IntersectEdge(a, edge, b, turnOfB, normalOfA.Axis, false);
       this->IntersectEdge(b, edge, a, normalOfA.Sign, normalOfA.Axis, true);
     }
+    this->DropRepeated(before);
+  }
+
+  /** Whether two points are at one place; new points never are at a vertex. */
+  bool IsSamePlace(std::int32_t a, std::int32_t b) const
+  {
+    const ContactPoint& p = this->Points[std::size_t(a)];
+    const ContactPoint& q = this->Points[std::size_t(b)];
+    return a == b || (p.Vertex >= 0 && q.Vertex >= 0 && SamePoint(p.Point, q.Point));
+  }
+
+  /**
+   * Coplanar triangles that have a corner or a part of an edge in common come upon it up to six
+   * times. Of the contacts from `before` on, keep each segment once, and points that are on none.
+   */
+  void DropRepeated(std::size_t before)
+  {
+    this->Found.assign(
+      this->Contacts.begin() + static_cast<std::ptrdiff_t>(before), this->Contacts.end());
+    this->Contacts.resize(before);
+    for (const bool points : { false, true })
+    {
+      for (std::size_t i = 0; i < this->Found.size(); i += 2)
+      {
+        const bool isPoint = this->Found[i].Points[0] == this->Found[i].Points[1];
+        if (isPoint == points && !this->IsKnown(this->Found[i], before))
+        {
+          this->Contacts.push_back(this->Found[i]);
+          this->Contacts.push_back(this->Found[i + 1]);
+        }
+      }
+    }
+  }
+
+  /** Whether a contact is among those from `before` on, or an end of one of them. */
+  bool IsKnown(const Contact& contact, std::size_t before) const
+  {
+    const auto [first, last] = contact.Points;
+    for (std::size_t i = before; i < this->Contacts.size(); i += 2)
+    {
+      const auto [start, end] = this->Contacts[i].Points;
+      if ((this->IsSamePlace(first, start) &&
+            this->IsSamePlace(last, first == last ? start : end)) ||
+        (this->IsSamePlace(first, end) && this->IsSamePlace(last, first == last ? end : start)))
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** The part of an edge of `a` that lies in the coplanar triangle `b`; `turn` is b's orientation
@@ -420,10 +470,18 @@ private:
       { ends[0].Point, ends[1].Point } });
   }
 
+  /** Where many faces meet, a vertex comes up again and again: it is looked for among the last. */
   std::int32_t AddVertex(std::int32_t vertex)
   {
-    this->Points.push_back({ ExactPoint::Vertex(this->World->Position(vertex)), vertex });
-    return static_cast<std::int32_t>(this->Points.size() - 1);
+    this->Recent.resize(256, { -1, -1 });
+    auto& [known, point] = this->Recent[static_cast<std::size_t>(vertex) % this->Recent.size()];
+    if (known != vertex)
+    {
+      this->Points.push_back({ ExactPoint::Vertex(this->World->Position(vertex)), vertex });
+      known = vertex;
+      point = static_cast<std::int32_t>(this->Points.size() - 1);
+    }
+    return point;
   }
 
   std::int32_t AddPoint(const ExactPoint& point)
@@ -434,6 +492,8 @@ private:
 
   const Scene* World;
   bool SkipsCommonEdges = false;
+  std::vector<Contact> Found;
+  std::vector<std::pair<std::int32_t, std::int32_t>> Recent; ///< vertices and their points
 };
 
 } // namespace
@@ -481,10 +541,11 @@ ContactSet FindContacts(const Scene& scene, const std::vector<TrianglePair>& pai
   ParallelSort(
     result.Contacts,
     [](const Contact& l, const Contact& r) {
-      return l.Face != r.Face ? l.Face < r.Face
-        : l.Other != r.Other
-        ? l.Other < r.Other
-        : l.Points[0] < r.Points[0] || (l.Points[0] == r.Points[0] && l.OtherEdge < r.OtherEdge);
+      return l.Face != r.Face        ? l.Face < r.Face
+        : l.Other != r.Other         ? l.Other < r.Other
+        : l.Points[0] != r.Points[0] ? l.Points[0] < r.Points[0]
+        : l.Points[1] != r.Points[1] ? l.Points[1] < r.Points[1]
+                                     : l.OtherEdge < r.OtherEdge;
     },
     executor);
   return result;

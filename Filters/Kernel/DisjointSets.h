@@ -34,6 +34,16 @@ public:
     std::iota(this->Parent.begin(), this->Parent.end(), 0);
   }
 
+  /** Go on with `count` members, those that are new in sets of their own; never fewer than before.
+   */
+  void Extend(std::int32_t count)
+  {
+    for (std::int32_t i = this->Size(); i < count; ++i)
+    {
+      this->Parent.push_back(i);
+    }
+  }
+
   /** Make one more set; @return its member. */
   std::int32_t Add()
   {

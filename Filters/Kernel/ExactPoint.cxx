@@ -278,7 +278,9 @@ ExactPoint ExactPoint::FromHomogeneous(
   }
   point.Denominator = positive;
   point.Width = Size;
-  return point;
+  // Lattice points are told exactly by their doubles, at a fraction of the cost: wherever faces are
+  // axis-aligned, most points are.
+  return point.IsIntegral() ? Vertex(point.Approximate) : point;
 }
 
 ExactPoint ExactPoint::Between(const double* u, const double* v, const WideInteger<3>& heightOfU,
@@ -314,6 +316,16 @@ ExactPoint ExactPoint::LinePlane(
   const Difference fromU[3] = { Subtract(u, a, 0), Subtract(u, a, 1), Subtract(u, a, 2) };
   const Difference fromV[3] = { Subtract(v, a, 0), Subtract(v, a, 1), Subtract(v, a, 2) };
   return Between(u, v, Dot(normal, fromU), Dot(normal, fromV));
+}
+
+ExactPoint ExactPoint::LinePlane(const double* u, const double* v, const ExactPlane& plane)
+{
+  const WideInteger<1> first[3] = { WideInteger<1>::FromIntegral(u[0]),
+    WideInteger<1>::FromIntegral(u[1]), WideInteger<1>::FromIntegral(u[2]) };
+  const WideInteger<1> second[3] = { WideInteger<1>::FromIntegral(v[0]),
+    WideInteger<1>::FromIntegral(v[1]), WideInteger<1>::FromIntegral(v[2]) };
+  return Between(
+    u, v, Dot(plane.Normal, first) - plane.Offset, Dot(plane.Normal, second) - plane.Offset);
 }
 
 ExactPoint ExactPoint::LineLine(
@@ -399,12 +411,22 @@ int exact::Orient2DRefined(
 
 int exact::CompareAlong(const ExactPoint& a, const ExactPoint& b, int axis)
 {
+  if (a.GetWidth() == 1 && b.GetWidth() == 1)
+  {
+    return SignOf(b.Approximation()[axis] - a.Approximation()[axis]);
+  }
   return std::max(a.GetWidth(), b.GetWidth()) <= 4 ? HomogeneousCompareAlong<4>(a, b, axis)
                                                    : HomogeneousCompareAlong<6>(a, b, axis);
 }
 
 bool exact::SamePoint(const ExactPoint& a, const ExactPoint& b)
 {
+  // Only lattice points have width 1, and they are what their doubles say.
+  if (a.GetWidth() == 1 || b.GetWidth() == 1)
+  {
+    return a.GetWidth() == b.GetWidth() &&
+      std::equal(a.Approximation(), a.Approximation() + 3, b.Approximation());
+  }
   return exact::CompareAlong(a, b, 0) == 0 && exact::CompareAlong(a, b, 1) == 0 &&
     exact::CompareAlong(a, b, 2) == 0;
 }

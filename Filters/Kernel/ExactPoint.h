@@ -61,6 +61,9 @@ public:
   static ExactPoint LinePlane(
     const double* u, const double* v, const double* a, const double* b, const double* c);
 
+  /** Where the line uv meets a plane; they must not be parallel. */
+  static ExactPoint LinePlane(const double* u, const double* v, const ExactPlane& plane);
+
   /**
    * The point of the line uv where it meets the line st, both in one plane; in the projection that
    * drops `axis` they must not be parallel.
@@ -84,7 +87,8 @@ public:
   /** Whether the exact point lies on the lattice; its approximation is then exact. */
   bool IsIntegral() const;
 
-  /** Coordinate = Numerator / Denominator, not always in lowest terms; Denominator > 0. */
+  /** Coordinate = Numerator / Denominator, not always in lowest terms; Denominator > 0, and 1 for a
+   * lattice point. */
   const WideInteger<6>& GetNumerator(int axis) const { return this->Numerator[axis]; }
   const WideInteger<6>& GetDenominator() const { return this->Denominator; }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FaceTriangulation.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sb
@@ -48,6 +49,7 @@ void FaceTriangulation::Reset(const std::array<const ExactPoint*, 3>& corners, i
   this->Triangles.assign(1, { { 0, 1, 2 }, { None, None, None }, { None, None, None } });
   this->LastCell = 0;
   this->Turn = 0;
+  this->Lines.Reset(0);
 }
 
 int FaceTriangulation::Insert(const ExactPoint* point)
@@ -81,8 +83,19 @@ int FaceTriangulation::InsertAt(const Place& place, const ExactPoint* point)
 
 void FaceTriangulation::Constrain(int from, int to, int constraint, ConstraintSource& source)
 {
+  this->Lines.Extend(constraint + 1);
   while (from != to)
   {
+    const Place place = this->FindEdge(from, to);
+    if (place.Cell != None)
+    {
+      this->Mark(place.Cell, place.Edge, constraint);
+      return;
+    }
+    if (place.Vertex == to)
+    {
+      std::swap(from, to); // fewer cells to look at
+    }
     const int before = this->NumberOfVertices();
     const int reached = this->Advance(from, to, constraint, source);
     if (reached != to && reached < before)
@@ -201,6 +214,14 @@ void FaceTriangulation::Relink(int cell, int oldNeighbour, int newNeighbour)
       return;
     }
   }
+}
+
+int FaceTriangulation::Opposite(int cell, int edge) const
+{
+  const Cell& here = this->Triangles[std::size_t(cell)];
+  const int across = here.Neighbours[std::size_t(edge)];
+  return 3 - this->IndexOf(across, here.Vertices[std::size_t(Next(edge))]) -
+    this->IndexOf(across, here.Vertices[std::size_t(Last(edge))]);
 }
 
 int FaceTriangulation::IndexOf(int cell, int vertex) const
@@ -347,196 +368,382 @@ void FaceTriangulation::RestoreDelaunayAround(int vertex)
   }
 }
 
-void FaceTriangulation::RestoreDelaunay(std::vector<std::pair<int, int>>& edges)
+void FaceTriangulation::RestoreDelaunay(const std::vector<int>& cells)
 {
-  bool changed = true;
-  for (int round = 0; changed && round < 8; ++round)
+  std::vector<int>& stack = this->Stack;
+  stack.assign(cells.rbegin(), cells.rend());
+  for (int budget = 64 + 8 * static_cast<int>(stack.size()); !stack.empty() && budget > 0; --budget)
   {
-    changed = false;
-    for (std::pair<int, int>& ends : edges)
+    const int cell = stack.back();
+    stack.pop_back();
+    for (int edge = 0; edge < 3; ++edge)
     {
-      const auto [cell, edge] = this->FindEdge(ends.first, ends.second);
-      if (cell != None && this->ShouldFlip(cell, edge))
+      if (this->ShouldFlip(cell, edge))
       {
         const int across = this->Triangles[std::size_t(cell)].Neighbours[std::size_t(edge)];
         this->Flip(cell, edge);
-        // The flipped pair shares the edge between the first corners of both cells.
-        ends = { this->Triangles[std::size_t(across)].Vertices[0],
-          this->Triangles[std::size_t(across)].Vertices[1] };
-        changed = true;
+        stack.push_back(across);
+        stack.push_back(cell);
+        break;
       }
     }
   }
 }
 
+FaceTriangulation::Circle FaceTriangulation::CircleAround(int vertex) const
+{
+  const int first = this->CellOfVertex[std::size_t(vertex)];
+  return { vertex, first, this->IndexOf(first, vertex), first, false };
+}
+
+bool FaceTriangulation::GoOn(Circle& circle) const
+{
+  const auto neighbour = [this](int cell, int edge) {
+    return this->Triangles[std::size_t(cell)].Neighbours[std::size_t(edge)];
+  };
+  int cell = None;
+  if (!circle.IsBackward)
+  {
+    cell = neighbour(circle.Cell, Next(circle.Index));
+    if (cell == circle.First)
+    {
+      return false;
+    }
+    if (cell == None)
+    {
+      // The vertex is on the face's boundary: go round the other way for the rest.
+      circle.IsBackward = true;
+      cell = neighbour(circle.First, Last(this->IndexOf(circle.First, circle.Vertex)));
+    }
+  }
+  else
+  {
+    cell = neighbour(circle.Cell, Last(circle.Index));
+  }
+  circle.Cell = cell;
+  circle.Index = cell == None ? None : this->IndexOf(cell, circle.Vertex);
+  return cell != None;
+}
+
 template <class Visitor>
 void FaceTriangulation::VisitCellsAround(int vertex, Visitor&& visitor) const
 {
-  const int first = this->CellOfVertex[std::size_t(vertex)];
-  int cell = first;
-  do
+  Circle circle = this->CircleAround(vertex);
+  while (!visitor(circle.Cell, circle.Index) && this->GoOn(circle))
   {
-    const int i = this->IndexOf(cell, vertex);
-    if (visitor(cell, i))
-    {
-      return;
-    }
-    cell = this->Triangles[std::size_t(cell)].Neighbours[std::size_t(Next(i))];
-  } while (cell != None && cell != first);
-  if (cell == first)
-  {
-    return;
-  }
-  // The vertex is on the face's boundary: go round the other way for the rest.
-  cell =
-    this->Triangles[std::size_t(first)].Neighbours[std::size_t(Last(this->IndexOf(first, vertex)))];
-  while (cell != None)
-  {
-    const int i = this->IndexOf(cell, vertex);
-    if (visitor(cell, i))
-    {
-      return;
-    }
-    cell = this->Triangles[std::size_t(cell)].Neighbours[std::size_t(Last(i))];
   }
 }
 
-std::pair<int, int> FaceTriangulation::FindEdge(int a, int b) const
+FaceTriangulation::Place FaceTriangulation::FindEdge(int a, int b) const
 {
-  std::pair<int, int> found{ None, None };
-  this->VisitCellsAround(a, [&](int cell, int i) {
-    const std::array<int, 3>& vertices = this->Triangles[std::size_t(cell)].Vertices;
-    if (vertices[std::size_t(Next(i))] == b)
+  // Round both ends at a time: of many edges that end at one vertex, each is found from its other
+  // end.
+  std::array<Circle, 2> circles{ this->CircleAround(a), this->CircleAround(b) };
+  for (std::size_t turn = 0;; turn = 1 - turn)
+  {
+    Circle& circle = circles[turn];
+    const std::array<int, 3>& vertices = this->Triangles[std::size_t(circle.Cell)].Vertices;
+    const int wanted = circles[1 - turn].Vertex;
+    for (const int side : { Next(circle.Index), Last(circle.Index) })
     {
-      found = { cell, Last(i) };
+      if (vertices[std::size_t(side)] == wanted)
+      {
+        return { circle.Cell, 3 - circle.Index - side, None };
+      }
     }
-    else if (vertices[std::size_t(Last(i))] == b)
+    if (!this->GoOn(circle))
     {
-      found = { cell, Next(i) };
+      return { None, None, circle.Vertex };
     }
-    return found.first != None;
-  });
-  return found;
+  }
 }
 
 void FaceTriangulation::Mark(int cell, int edge, int constraint)
 {
   Cell& here = this->Triangles[std::size_t(cell)];
-  if (here.Constraints[std::size_t(edge)] != None)
+  const int known = here.Constraints[std::size_t(edge)];
+  if (known != None)
   {
+    this->Lines.Unite(known, constraint);
     return;
   }
   here.Constraints[std::size_t(edge)] = constraint;
   const int across = here.Neighbours[std::size_t(edge)];
   if (across != None)
   {
-    const int a = here.Vertices[std::size_t(Next(edge))];
-    const int b = here.Vertices[std::size_t(Last(edge))];
-    const int opposite = 3 - this->IndexOf(across, a) - this->IndexOf(across, b);
-    this->Triangles[std::size_t(across)].Constraints[std::size_t(opposite)] = constraint;
+    this->Triangles[std::size_t(across)].Constraints[std::size_t(this->Opposite(cell, edge))] =
+      constraint;
   }
+}
+
+bool FaceTriangulation::ConstrainEdge(int from, int to, int constraint)
+{
+  this->Lines.Extend(constraint + 1);
+  const Place place = this->FindEdge(from, to);
+  if (place.Cell == None)
+  {
+    return false;
+  }
+  this->Mark(place.Cell, place.Edge, constraint);
+  return true;
+}
+
+int FaceTriangulation::FollowLine(int from, int to, int constraint) const
+{
+  int reached = None;
+  this->VisitCellsAround(from, [&](int cell, int i) {
+    const Cell& here = this->Triangles[std::size_t(cell)];
+    for (const int side : { Next(i), Last(i) })
+    {
+      // The edge opposite to `side` runs to the third vertex.
+      const int other = here.Constraints[std::size_t(side)];
+      const int vertex = here.Vertices[std::size_t(3 - i - side)];
+      if (other != None && this->Lines.Root(other) == this->Lines.Root(constraint) &&
+        this->IsAhead(from, to, vertex))
+      {
+        reached = vertex;
+      }
+    }
+    return reached != None;
+  });
+  return reached;
+}
+
+bool FaceTriangulation::IsAhead(int from, int to, int vertex) const
+{
+  const int u = (this->Axis + 1) % 3;
+  const int v = (this->Axis + 2) % 3;
+  const int along = CompareAlong(this->Point(from), this->Point(to), u);
+  return along != 0 ? CompareAlong(this->Point(from), this->Point(vertex), u) == along
+                    : CompareAlong(this->Point(from), this->Point(vertex), v) ==
+      CompareAlong(this->Point(from), this->Point(to), v);
+}
+
+FaceTriangulation::Place FaceTriangulation::Leave(int from, int to) const
+{
+  Place place{ None, None, None };
+  // What has been found out about the cell before: it shares a vertex with this one.
+  std::array<int, 2> vertices{ None, None };
+  std::array<int, 2> sides{ 0, 0 };
+  const auto sideOf = [&](int vertex) {
+    return vertex == vertices[0] ? sides[0]
+      : vertex == vertices[1]    ? sides[1]
+                                 : this->Orientation(from, to, vertex);
+  };
+  this->VisitCellsAround(from, [&](int cell, int i) {
+    const Cell& here = this->Triangles[std::size_t(cell)];
+    const int right = here.Vertices[std::size_t(Next(i))];
+    const int left = here.Vertices[std::size_t(Last(i))];
+    const int sideOfRight = sideOf(right);
+    const int sideOfLeft = sideOf(left);
+    vertices = { right, left };
+    sides = { sideOfRight, sideOfLeft };
+    if (sideOfRight == 0 && sideOfLeft > 0)
+    {
+      place = { cell, Last(i), right };
+    }
+    else if (sideOfLeft == 0 && sideOfRight < 0)
+    {
+      place = { cell, Next(i), left };
+    }
+    else if (sideOfRight < 0 && sideOfLeft > 0)
+    {
+      place = { cell, i, None };
+    }
+    return place.Cell != None;
+  });
+  return place;
 }
 
 int FaceTriangulation::Advance(int from, int to, int constraint, ConstraintSource& source)
 {
-  // Leave `from`: along an edge, or through the cell whose far edge the segment crosses.
-  int reached = None;
-  int cell = None;
-  int edge = None;
-  this->VisitCellsAround(from, [&](int candidate, int i) {
-    const std::array<int, 3>& vertices = this->Triangles[std::size_t(candidate)].Vertices;
-    const int right = vertices[std::size_t(Next(i))];
-    const int left = vertices[std::size_t(Last(i))];
-    const int sideOfRight = right == to ? 0 : this->Orientation(from, to, right);
-    const int sideOfLeft = left == to ? 0 : this->Orientation(from, to, left);
-    if (sideOfRight == 0 && sideOfLeft > 0)
-    {
-      reached = right;
-      this->Mark(candidate, Last(i), constraint);
-    }
-    else if (sideOfLeft == 0 && sideOfRight < 0)
-    {
-      reached = left;
-      this->Mark(candidate, Next(i), constraint);
-    }
-    else if (sideOfRight < 0 && sideOfLeft > 0)
-    {
-      cell = candidate;
-      edge = i;
-    }
-    return reached != None || cell != None;
-  });
-  if (reached != None)
+  const int known = this->FollowLine(from, to, constraint);
+  if (known != None)
   {
+    return known;
+  }
+  const Place start = this->Leave(from, to);
+  if (start.Vertex != None)
+  {
+    this->Mark(start.Cell, start.Edge, constraint);
+    return start.Vertex;
+  }
+  if (this->Triangles[std::size_t(start.Cell)].Constraints[std::size_t(start.Edge)] != None)
+  {
+    const int reached = this->Cross(start.Cell, start.Edge, constraint, source);
+    this->ConstrainEdge(from, reached, constraint);
     return reached;
   }
-
-  std::vector<std::pair<int, int>> crossed;
-  for (;;)
-  {
-    const Cell& here = this->Triangles[std::size_t(cell)];
-    const int right = here.Vertices[std::size_t(Next(edge))];
-    const int left = here.Vertices[std::size_t(Last(edge))];
-    const int other = here.Constraints[std::size_t(edge)];
-    if (other != None)
-    {
-      this->OwnPoints.push_back(source.Crossing(constraint, other));
-      reached = this->AddVertex(&this->OwnPoints.back());
-      this->SplitEdge(cell, edge, reached);
-      break;
-    }
-    crossed.emplace_back(right, left);
-    const int across = here.Neighbours[std::size_t(edge)];
-    const int opposite = 3 - this->IndexOf(across, right) - this->IndexOf(across, left);
-    const int far = this->Triangles[std::size_t(across)].Vertices[std::size_t(opposite)];
-    const int side = far == to ? 0 : this->Orientation(from, to, far);
-    if (side == 0)
-    {
-      reached = far;
-      break;
-    }
-    // Seen from across, the edge runs from left to right: the next edge crossed is (far, left) or
-    // (right, far).
-    cell = across;
-    edge = side < 0 ? this->IndexOf(across, right) : this->IndexOf(across, left);
-  }
-  this->RemoveCrossings(from, reached, constraint, crossed);
+  const int reached = this->OpenCavity(start, from, to, constraint, source);
+  this->CloseCavity(from, constraint);
   return reached;
 }
 
-void FaceTriangulation::RemoveCrossings(
-  int from, int to, int constraint, const std::vector<std::pair<int, int>>& crossed)
+int FaceTriangulation::Cross(int cell, int edge, int constraint, ConstraintSource& source)
 {
-  std::vector<std::pair<int, int>> created;
-  std::deque<std::pair<int, int>> queue(crossed.begin(), crossed.end());
-  while (!queue.empty())
+  const int other = this->Triangles[std::size_t(cell)].Constraints[std::size_t(edge)];
+  this->OwnPoints.push_back(source.Crossing(constraint, other));
+  const int vertex = this->AddVertex(&this->OwnPoints.back());
+  this->SplitEdge(cell, edge, vertex);
+  return vertex;
+}
+
+int FaceTriangulation::OpenCavity(
+  const Place& start, int from, int to, int constraint, ConstraintSource& source)
+{
+  int cell = start.Cell;
+  int edge = start.Edge;
+  int right = this->Triangles[std::size_t(cell)].Vertices[std::size_t(Next(edge))];
+  int left = this->Triangles[std::size_t(cell)].Vertices[std::size_t(Last(edge))];
+  this->Cavity.assign(1, cell);
+  this->LeftRim.clear();
+  this->RightRim.clear();
+  this->LeftRim.push_back({ left, cell, Next(edge), None, None });
+  this->RightRim.push_back({ right, cell, Last(edge), None, None });
+  for (;;)
   {
-    const std::pair<int, int> ends = queue.front();
-    queue.pop_front();
-    const auto [cell, edge] = this->FindEdge(ends.first, ends.second);
-    if (!this->IsConvex(cell, edge))
+    int across = this->Triangles[std::size_t(cell)].Neighbours[std::size_t(edge)];
+    int far =
+      this->Triangles[std::size_t(across)].Vertices[std::size_t(this->Opposite(cell, edge))];
+    int side = far == to ? 0 : this->Orientation(from, to, far);
+    int way = None;
+    if (side != 0)
     {
-      queue.push_back(ends);
-      continue;
+      way = this->IndexOf(across, side > 0 ? left : right);
+      if (this->Triangles[std::size_t(across)].Constraints[std::size_t(way)] != None)
+      {
+        far = this->Cross(across, way, constraint, source);
+        side = 0;
+        across = this->Triangles[std::size_t(cell)].Neighbours[std::size_t(edge)];
+      }
     }
-    const int across = this->Triangles[std::size_t(cell)].Neighbours[std::size_t(edge)];
-    this->Flip(cell, edge);
-    const int p = this->Triangles[std::size_t(across)].Vertices[0];
-    const int q = this->Triangles[std::size_t(across)].Vertices[1];
-    const bool touchesEnd = p == from || p == to || q == from || q == to;
-    if (!touchesEnd && this->Orientation(from, to, p) != this->Orientation(from, to, q))
+    this->Cavity.push_back(across);
+    if (side >= 0)
     {
-      queue.emplace_back(p, q);
+      this->LeftRim.push_back({ far, across, this->IndexOf(across, right), None, None });
     }
-    else if (!((p == from && q == to) || (p == to && q == from)))
+    if (side <= 0)
     {
-      created.emplace_back(p, q);
+      this->RightRim.push_back({ far, across, this->IndexOf(across, left), None, None });
+    }
+    if (side == 0)
+    {
+      return far;
+    }
+    (side > 0 ? left : right) = far;
+    cell = across;
+    edge = way;
+  }
+}
+
+void FaceTriangulation::CloseCavity(int from, int constraint)
+{
+  this->LookOut();
+  std::size_t next = 0;
+  const RimEdge left = this->FillCavity(this->LeftRim, from, true, next);
+  const RimEdge right = this->FillCavity(this->RightRim, from, false, next);
+  this->Connect(left.Cell, left.Edge, right.Cell, right.Edge);
+  this->Triangles[std::size_t(left.Cell)].Constraints[std::size_t(left.Edge)] = constraint;
+  this->Triangles[std::size_t(right.Cell)].Constraints[std::size_t(right.Edge)] = constraint;
+  this->JoinSlits();
+  this->RestoreDelaunay(this->Cavity);
+}
+
+void FaceTriangulation::LookOut()
+{
+  this->IsInCavity.resize(this->Triangles.size(), 0);
+  for (const int cell : this->Cavity)
+  {
+    this->IsInCavity[std::size_t(cell)] = 1;
+  }
+  this->Slits.clear();
+  for (std::vector<RimEdge>* rim : { &this->LeftRim, &this->RightRim })
+  {
+    for (RimEdge& edge : *rim)
+    {
+      const int cell = edge.Cell;
+      const int own = edge.Edge;
+      edge.Constraint = this->Triangles[std::size_t(cell)].Constraints[std::size_t(own)];
+      edge.Cell = this->Triangles[std::size_t(cell)].Neighbours[std::size_t(own)];
+      edge.Edge = edge.Cell == None ? None : this->Opposite(cell, own);
+      if (edge.Cell != None && this->IsInCavity[std::size_t(edge.Cell)])
+      {
+        const int here = 3 * cell + own;
+        const int there = 3 * edge.Cell + edge.Edge;
+        edge.Slit = static_cast<int>(this->Slits.size());
+        this->Slits.push_back({ std::min(here, there), std::max(here, there), None, None });
+      }
     }
   }
-  // Mark first, so that the new edge is not flipped away.
-  const auto [cell, edge] = this->FindEdge(from, to);
-  this->Mark(cell, edge, constraint);
-  this->RestoreDelaunay(created);
+  for (const int cell : this->Cavity)
+  {
+    this->IsInCavity[std::size_t(cell)] = 0;
+  }
+}
+
+FaceTriangulation::RimEdge FaceTriangulation::FillCavity(
+  const std::vector<RimEdge>& rim, int from, bool isLeft, std::size_t& next)
+{
+  // What lies between the segment and the rim can be seen from the segment. Of such a polygon every
+  // convex corner can be cut off, in the order of the rim (Toussaint and Avis, "On a convex hull
+  // algorithm for polygons and its application to triangulation problems", Pattern Recognition
+  // 15(1), 1982).
+  std::vector<RimEdge>& chain = this->Chain;
+  chain.assign(1, { from, None, None, None, None });
+  for (RimEdge edge : rim)
+  {
+    while (chain.size() > 1)
+    {
+      const int a = chain[chain.size() - 2].End;
+      const int b = chain.back().End;
+      if (a == edge.End || this->Orientation(a, b, edge.End) != (isLeft ? -1 : 1))
+      {
+        break;
+      }
+      const int cell = this->Cavity[next++];
+      const int free = isLeft ? 2 : 1;
+      this->SetCell(cell,
+        isLeft ? std::array<int, 3>{ a, edge.End, b } : std::array<int, 3>{ a, b, edge.End },
+        { None, None, None }, { None, None, None });
+      this->Attach(cell, 0, edge);
+      this->Attach(cell, 3 - free, chain.back());
+      chain.pop_back();
+      edge = { edge.End, cell, free, None, None };
+    }
+    chain.push_back(edge);
+  }
+  return chain[1];
+}
+
+void FaceTriangulation::Attach(int cell, int edge, const RimEdge& rim)
+{
+  this->Triangles[std::size_t(cell)].Constraints[std::size_t(edge)] = rim.Constraint;
+  if (rim.Slit != None)
+  {
+    this->Slits[std::size_t(rim.Slit)].Cell = cell;
+    this->Slits[std::size_t(rim.Slit)].Edge = edge;
+  }
+  else if (rim.Cell != None)
+  {
+    this->Connect(cell, edge, rim.Cell, rim.Edge);
+  }
+}
+
+void FaceTriangulation::Connect(int cell, int edge, int otherCell, int otherEdge)
+{
+  this->Triangles[std::size_t(cell)].Neighbours[std::size_t(edge)] = otherCell;
+  this->Triangles[std::size_t(otherCell)].Neighbours[std::size_t(otherEdge)] = cell;
+}
+
+void FaceTriangulation::JoinSlits()
+{
+  std::sort(this->Slits.begin(), this->Slits.end(),
+    [](const Slit& l, const Slit& r) { return l.Low != r.Low ? l.Low < r.Low : l.High < r.High; });
+  for (std::size_t i = 0; i + 1 < this->Slits.size(); i += 2)
+  {
+    this->Connect(
+      this->Slits[i].Cell, this->Slits[i].Edge, this->Slits[i + 1].Cell, this->Slits[i + 1].Edge);
+  }
 }
 
 } // namespace sb

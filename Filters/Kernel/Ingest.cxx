@@ -6,7 +6,6 @@
 #include "ParallelSort.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -30,20 +29,6 @@ struct TriangleSums
   std::uint64_t Boundary = 0;
 };
 
-/** The box of a block of points. */
-struct PointBox
-{
-  std::array<double, 3> Low;
-  std::array<double, 3> High;
-  bool IsFinite = true;
-
-  PointBox()
-  {
-    this->Low.fill(std::numeric_limits<double>::infinity());
-    this->High.fill(-std::numeric_limits<double>::infinity());
-  }
-};
-
 std::uint64_t HashPoint(const double* p)
 {
   std::uint64_t hash = 0;
@@ -57,22 +42,22 @@ std::uint64_t HashPoint(const double* p)
   return hash;
 }
 
-/** A hash of a directed edge, minus that of the opposite one; without branches, which could not be
- * predicted. */
-std::uint64_t HashEdge(std::uint64_t from, std::uint64_t to)
+/**
+ * A triangle's area in a plane where each point lies at a random place, made of its hash. The area
+ * is a sum over the edges which changes its sign with their direction, so edges that are used both
+ * ways cancel, and those of a closed surface all do.
+ */
+std::uint64_t AreaAtRandomPlaces(std::uint64_t a, std::uint64_t b, std::uint64_t c)
 {
-  constexpr std::uint64_t odd = 0xd6e8feb86659fd93u;
-  const std::uint64_t hash = Mix(std::min(from, to) * odd + std::max(from, to));
-  const std::uint64_t negate = 0 - std::uint64_t(from > to);
-  const std::uint64_t differ = 0 - std::uint64_t(from != to);
-  return ((hash ^ negate) - negate) & differ;
+  const auto other = [](std::uint64_t hash) { return (hash ^ (hash >> 32)) * 0xd6e8feb86659fd93u; };
+  const std::uint64_t otherA = other(a);
+  const std::uint64_t otherB = other(b);
+  const std::uint64_t otherC = other(c);
+  return a * (otherB - otherC) + b * (otherC - otherA) + c * (otherA - otherB);
 }
 
-/** Marks of the points that triangles use; several threads may set the same one. */
-using UseMarks = std::unique_ptr<std::atomic<std::uint8_t>[]>;
-
-TriangleSums MeasureTriangles(const Surface& mesh, const std::uint64_t* hashes,
-  std::atomic<std::uint8_t>* used, std::int64_t begin, std::int64_t end)
+TriangleSums MeasureTriangles(
+  const Surface& mesh, const std::uint64_t* hashes, std::int64_t begin, std::int64_t end)
 {
   TriangleSums sums;
   const auto limit = static_cast<std::uint32_t>(mesh.NumberOfPoints);
@@ -86,10 +71,6 @@ TriangleSums MeasureTriangles(const Surface& mesh, const std::uint64_t* hashes,
       sums.BadIndex = i;
       return sums;
     }
-    for (int k = 0; k < 3; ++k)
-    {
-      used[ids[k]].store(1, std::memory_order_relaxed);
-    }
     const double* a = mesh.Points + 3 * std::int64_t(ids[0]);
     const double* b = mesh.Points + 3 * std::int64_t(ids[1]);
     const double* c = mesh.Points + 3 * std::int64_t(ids[2]);
@@ -100,35 +81,9 @@ TriangleSums MeasureTriangles(const Surface& mesh, const std::uint64_t* hashes,
     sums.Volume +=
       (a[0] - origin[0]) * n[0] + (a[1] - origin[1]) * n[1] + (a[2] - origin[2]) * n[2];
     sums.Area += std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    const std::uint64_t ha = hashes[ids[0]];
-    const std::uint64_t hb = hashes[ids[1]];
-    const std::uint64_t hc = hashes[ids[2]];
-    sums.Boundary += HashEdge(ha, hb) + HashEdge(hb, hc) + HashEdge(hc, ha);
+    sums.Boundary += AreaAtRandomPlaces(hashes[ids[0]], hashes[ids[1]], hashes[ids[2]]);
   }
   return sums;
-}
-
-PointBox MeasurePoints(
-  const Surface& mesh, const std::atomic<std::uint8_t>* used, std::int64_t begin, std::int64_t end)
-{
-  PointBox box;
-  double poison = 0.0; // not a number as soon as one coordinate is not finite
-  for (std::int64_t i = begin; i < end; ++i)
-  {
-    if (used[i].load(std::memory_order_relaxed) == 0)
-    {
-      continue;
-    }
-    const double* p = mesh.Points + 3 * i;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      box.Low[axis] = std::min(box.Low[axis], p[axis]);
-      box.High[axis] = std::max(box.High[axis], p[axis]);
-      poison += p[axis] * 0.0;
-    }
-  }
-  box.IsFinite = poison == 0.0;
-  return box;
 }
 
 bool IsFinite(const double* p)
@@ -262,10 +217,11 @@ public:
           hashes[std::size_t(i)] = HashPoint(this->Mesh.Points + 3 * i);
         }
       });
-    if (!this->MeasureAllTriangles(hashes) || !this->MeasureAllPoints())
+    if (!this->MeasureAllTriangles(hashes) || !this->HasGoodCoordinates())
     {
       return;
     }
+    this->MeasureBounds();
     if (!this->Result.Report.Closed)
     {
       this->Result.IsOpen = true;
@@ -290,30 +246,30 @@ private:
     return this->Result.Remarks.back();
   }
 
-  template <class Block, class Measure>
-  std::vector<Block> MeasureBlocks(std::int64_t count, Measure&& measure)
-  {
-    std::vector<Block> blocks(std::size_t((count + BlockSize - 1) / BlockSize));
-    this->Threads.For(
-      static_cast<std::int64_t>(blocks.size()), 1, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i)
-        {
-          blocks[std::size_t(i)] = measure(i * BlockSize, std::min(count, (i + 1) * BlockSize));
-        }
-      });
-    return blocks;
-  }
-
   /** @return whether all point ids are good. */
   bool MeasureAllTriangles(const std::vector<std::uint64_t>& hashes)
   {
-    this->Used.reset(new std::atomic<std::uint8_t>[std::size_t(this->Mesh.NumberOfPoints)]());
-    const auto blocks = this->MeasureBlocks<TriangleSums>(
-      this->Mesh.NumberOfTriangles, [&](std::int64_t begin, std::int64_t end) {
-        return MeasureTriangles(this->Mesh, hashes.data(), this->Used.get(), begin, end);
+    const std::int64_t count = this->Mesh.NumberOfTriangles;
+    std::vector<TriangleSums> sums(
+      static_cast<std::size_t>((count + TriangleBlock::Size - 1) / TriangleBlock::Size));
+    this->Result.Blocks.resize(sums.size());
+    this->Threads.For(
+      static_cast<std::int64_t>(sums.size()), 64, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i)
+        {
+          const std::int64_t first = i * TriangleBlock::Size;
+          const std::int64_t last = std::min(count, first + TriangleBlock::Size);
+          TriangleSums& block = sums[std::size_t(i)];
+          block = MeasureTriangles(this->Mesh, hashes.data(), first, last);
+          if (block.BadIndex < 0)
+          {
+            this->Result.Blocks[std::size_t(i)] =
+              BlockOf(this->Mesh.Points, this->Mesh.Triangles, first, last);
+          }
+        }
       });
     TriangleSums total;
-    for (const TriangleSums& block : blocks)
+    for (const TriangleSums& block : sums)
     {
       if (block.BadIndex >= 0)
       {
@@ -331,38 +287,39 @@ private:
   }
 
   /** @return whether all points in use are finite. */
-  bool MeasureAllPoints()
+  bool HasGoodCoordinates()
   {
-    const auto blocks = this->MeasureBlocks<PointBox>(
-      this->Mesh.NumberOfPoints, [&](std::int64_t begin, std::int64_t end) {
-        return MeasurePoints(this->Mesh, this->Used.get(), begin, end);
-      });
-    PointBox total;
-    for (const PointBox& block : blocks)
+    // A coordinate that is not finite makes the area of its triangle, and so the sum, not finite;
+    // but so do coordinates beyond 1e150.
+    if (std::isfinite(this->Result.Report.Area))
     {
-      if (!block.IsFinite)
-      {
-        this->Result.Remarks.push_back(FindBadCoordinate(this->Mesh));
-        return false;
-      }
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        total.Low[axis] = std::min(total.Low[axis], block.Low[axis]);
-        total.High[axis] = std::max(total.High[axis], block.High[axis]);
-      }
+      return true;
+    }
+    const Remark remark = FindBadCoordinate(this->Mesh);
+    if (remark.Triangle >= 0)
+    {
+      this->Result.Remarks.push_back(remark);
+    }
+    return remark.Triangle < 0;
+  }
+
+  void MeasureBounds()
+  {
+    Box total = this->Result.Blocks.front().Bounds;
+    for (const TriangleBlock& block : this->Result.Blocks)
+    {
+      Enclose(total, block.Bounds);
     }
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      this->Result.Report.Bounds[2 * axis] = total.Low[axis];
-      this->Result.Report.Bounds[2 * axis + 1] = total.High[axis];
+      this->Result.Report.Bounds[2 * axis] = total.Lower[axis];
+      this->Result.Report.Bounds[2 * axis + 1] = total.Upper[axis];
     }
-    return true;
   }
 
   const Surface& Mesh;
   const OpenSurfaces Open;
   Executor& Threads;
-  UseMarks Used;
 };
 
 } // namespace
@@ -392,6 +349,7 @@ Ingested Ingest(const BooleanRequest& request, Executor& executor)
     result.Open.push_back(examination->IsOpen);
     result.Swapped.push_back(examination->IsInsideOut);
     result.Rims.push_back(examination->Rim);
+    result.Examinations.push_back(examination);
   }
   return result;
 }

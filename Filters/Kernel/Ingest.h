@@ -5,15 +5,17 @@
  * @brief One pass over each operand that checks it and measures it.
  *
  * Whether a surface is closed is found without building its topology: a closed surface uses every
- * directed edge as often as its opposite, so the sum over all directed edges of a hash that changes
- * its sign with the direction is zero modulo 2^64. Hashes are of coordinates, so points that
- * coincide count as one. Only where the sum is not zero are the edges sorted, to say what is wrong
- * and where.
+ * directed edge as often as its opposite. Let each point have a random place in a plane (its two
+ * coordinates are hashes of its position, so points that coincide count as one). The area that the
+ * triangles have there, counted with their orientation, depends on the edges without an opposite
+ * alone; it is computed modulo 2^64, and zero if there are none. Only where it is not zero are the
+ * edges sorted, to say what is wrong and where.
  */
 #ifndef sb_Ingest_h
 #define sb_Ingest_h
 
 #include "Boolean.h"
+#include "TriangleBlocks.h"
 
 #include <cstdint>
 #include <vector>
@@ -35,6 +37,7 @@ struct Examination
   bool IsOpen = false;
   bool IsInsideOut = false;
   std::vector<RimEdge> Rim;
+  std::vector<TriangleBlock> Blocks; ///< in the caller's coordinates
 };
 
 struct Ingested
@@ -44,6 +47,7 @@ struct Ingested
   std::vector<std::uint8_t> Open; ///< operands to be treated as sheets
   std::vector<std::uint8_t> Swapped; ///< closed operands that are inside out
   std::vector<std::vector<RimEdge>> Rims; ///< [operand]
+  std::vector<std::shared_ptr<const Examination>> Examinations; ///< [operand]
 };
 
 Ingested Ingest(const BooleanRequest& request, Executor& executor);

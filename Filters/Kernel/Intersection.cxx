@@ -10,7 +10,6 @@
 #include "SurfacePatches.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 namespace sb
@@ -36,19 +35,17 @@ public:
     , Clock(this->Result.Times, monitor)
   {
     this->Surfaces.Operands = request.Operands;
-    this->Surfaces.Tolerance = request.Tolerance;
   }
 
   IntersectionResult Run()
   {
     const std::size_t operands = this->Request.Operands.size();
-    if (operands == 0 || this->Request.Split.size() != operands ||
-      !(this->Request.Tolerance >= 0.0) || !std::isfinite(this->Request.Tolerance))
+    if (operands == 0 || this->Request.Split.size() != operands)
     {
       this->AddRemark(Status::BadRequest);
       return this->Finish();
     }
-    const Ingested ingested = this->Clock.Timed("Check", 0.02, [&] {
+    Ingested ingested = this->Clock.Timed("Check", 0.02, [&] {
       for (Operand& operand : this->Surfaces.Operands)
       {
         if (!operand.Known)
@@ -65,10 +62,9 @@ public:
     {
       return this->Finish();
     }
-    const Scene scene = this->Clock.Timed("Lattice", 0.1, [&] {
-      return Scene(
-        this->Surfaces, ingested.Reports, std::vector<std::uint8_t>(operands, 0), this->Threads);
-    });
+    ingested.Swapped.assign(operands, 0); // pieces keep the orientation that they came with
+    const Scene scene = this->Clock.Timed(
+      "Lattice", 0.1, [&] { return Scene(this->Surfaces, ingested, this->Threads); });
     std::vector<std::uint8_t> self(operands, operands == 1);
     // Faces of one operand that cross each other on another one's face have to be cut against each
     // other, or their curves would cross without a common point.

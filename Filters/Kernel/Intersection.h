@@ -26,7 +26,6 @@ struct IntersectionRequest
    */
   std::vector<Operand> Operands;
   std::vector<std::uint8_t> Split; ///< [operand] whether to give out that operand cut along them
-  double Tolerance = 0.0; ///< as in BooleanRequest
 };
 
 /**

@@ -294,8 +294,8 @@ inline void NearestTriangle::Descend(Search<typename Boxes::Real>& search, Answe
     for (; within != 0; within &= within - 1)
     {
       const int lane = LowestBit(within);
-      search.Stack[static_cast<std::size_t>(search.NumberOpen++)] = { squared[lane],
-        open.Level - 1, open.Index * Width + lane };
+      search.Stack[static_cast<std::size_t>(search.NumberOpen++)] = { squared[lane], open.Level - 1,
+        open.Index * Width + lane };
     }
     search.Stack[static_cast<std::size_t>(search.NumberOpen++)] = { squared[nearest],
       open.Level - 1, open.Index * Width + nearest };

@@ -23,30 +23,11 @@ double LargestMagnitude(const std::vector<OperandReport>& reports)
   return largest;
 }
 
-/**
- * The finest lattice, or a coarser one whose rounding moves no point by more than the tolerance:
- * what is closer together than the tolerance then tends to coincide, in every predicate alike.
- */
-Lattice ChooseLattice(double magnitude, double tolerance)
-{
-  const Lattice finest = Lattice::ForMagnitude(magnitude);
-  if (!(tolerance > 0.0))
-  {
-    return finest;
-  }
-  // Rounding moves a point by at most half a step along each axis.
-  const double coarsestStep = 2.0 * tolerance / std::sqrt(3.0);
-  int binade = 0;
-  std::frexp(coarsestStep, &binade);
-  return 1 - binade < finest.Exponent ? Lattice::WithExponent(1 - binade) : finest;
-}
-
 } // namespace
 
-Scene::Scene(const BooleanRequest& request, const std::vector<OperandReport>& reports,
-  const std::vector<std::uint8_t>& swapped, Executor& executor)
-  : Units(ChooseLattice(LargestMagnitude(reports), request.Tolerance))
-  , Swapped(swapped)
+Scene::Scene(const BooleanRequest& request, const Ingested& ingested, Executor& executor)
+  : Units(Lattice::ForMagnitude(LargestMagnitude(ingested.Reports)))
+  , Swapped(ingested.Swapped)
   , FirstVertices{ 0 }
   , FirstFaces{ 0 }
 {
@@ -66,30 +47,39 @@ Scene::Scene(const BooleanRequest& request, const std::vector<OperandReport>& re
   this->Coordinates.reset(new double[3 * std::size_t(this->NumberOfVertices()) + 1]);
   for (std::int32_t operand = 0; operand < this->NumberOfOperands(); ++operand)
   {
-    const double* in = this->Meshes[operand].Points;
-    double* out = this->Coordinates.get() + 3 * std::size_t(this->FirstVertices[operand]);
-    executor.For(this->FirstVertices[operand + 1] - this->FirstVertices[operand], 1 << 15,
-      [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i)
-        {
-          this->Units.Quantise(in + 3 * i, out + 3 * i);
-        }
-      });
-
-    std::array<double, 6> bounds{};
-    for (int corner = 0; corner < 2; ++corner)
-    {
-      const double world[3] = { reports[operand].Bounds[corner],
-        reports[operand].Bounds[2 + corner], reports[operand].Bounds[4 + corner] };
-      double lattice[3];
-      this->Units.Quantise(world, lattice);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        bounds[2 * axis + corner] = lattice[axis];
-      }
-    }
-    this->LatticeBounds.push_back(bounds);
+    this->PlacePoints(operand, executor);
+    this->PlaceBoxes(ingested.Reports[operand], ingested.Examinations[operand]->Blocks);
   }
+}
+
+void Scene::PlacePoints(std::int32_t operand, Executor& executor)
+{
+  const double* in = this->Meshes[operand].Points;
+  double* out = this->Coordinates.get() + 3 * std::size_t(this->FirstVertices[operand]);
+  executor.For(this->FirstVertices[operand + 1] - this->FirstVertices[operand], 1 << 15,
+    [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t i = begin; i < end; ++i)
+      {
+        this->Units.Quantise(in + 3 * i, out + 3 * i);
+      }
+    });
+}
+
+/** Rounding to the lattice is monotone, so the box of rounded points is the rounded box. */
+void Scene::PlaceBoxes(const OperandReport& report, std::vector<TriangleBlock> blocks)
+{
+  std::array<double, 6> bounds{};
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+  {
+    bounds[i] = this->Units.ToLattice(report.Bounds[i]);
+  }
+  this->LatticeBounds.push_back(bounds);
+  for (TriangleBlock& block : blocks)
+  {
+    this->Units.Quantise(block.Bounds.Lower.data(), block.Bounds.Lower.data());
+    this->Units.Quantise(block.Bounds.Upper.data(), block.Bounds.Upper.data());
+  }
+  this->LatticeBlocks.push_back(std::move(blocks));
 }
 
 } // namespace sb

@@ -12,6 +12,7 @@
 #define sb_Scene_h
 
 #include "Boolean.h"
+#include "Ingest.h"
 #include "Lattice.h"
 #include "Predicates.h"
 
@@ -28,11 +29,10 @@ class Scene
 {
 public:
   /**
-   * Put the operands on the lattice. `swapped` operands are read inside out. The request has to
-   * outlive the scene, and its coordinates and ids have to have been checked (Ingest.h).
+   * Put the operands on the lattice. Operands that are inside out are read with their corners
+   * swapped. The request has to outlive the scene, and to have been found good by Ingest.
    */
-  Scene(const BooleanRequest& request, const std::vector<OperandReport>& reports,
-    const std::vector<std::uint8_t>& swapped, Executor& executor);
+  Scene(const BooleanRequest& request, const Ingested& ingested, Executor& executor);
 
   std::int32_t NumberOfOperands() const { return static_cast<std::int32_t>(this->Meshes.size()); }
   std::int32_t NumberOfVertices() const { return this->FirstVertices.back(); }
@@ -44,6 +44,11 @@ public:
   const std::array<double, 6>& Bounds(std::int32_t operand) const
   {
     return this->LatticeBounds[operand];
+  }
+  /** The blocks of an operand's triangles, on the lattice. */
+  const std::vector<TriangleBlock>& Blocks(std::int32_t operand) const
+  {
+    return this->LatticeBlocks[operand];
   }
   const Lattice& Grid() const { return this->Units; }
 
@@ -92,6 +97,9 @@ private:
       std::upper_bound(firsts.begin(), firsts.end(), id) - firsts.begin() - 1);
   }
 
+  void PlacePoints(std::int32_t operand, Executor& executor);
+  void PlaceBoxes(const OperandReport& report, std::vector<TriangleBlock> blocks);
+
   Lattice Units;
   std::vector<Surface> Meshes;
   std::vector<Group> Sides;
@@ -100,6 +108,7 @@ private:
   std::vector<std::int32_t> FirstFaces; ///< one more than operands
   std::unique_ptr<double[]> Coordinates; ///< three a vertex
   std::vector<std::array<double, 6>> LatticeBounds;
+  std::vector<std::vector<TriangleBlock>> LatticeBlocks;
 };
 
 } // namespace sb

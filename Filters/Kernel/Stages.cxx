@@ -17,7 +17,7 @@ std::vector<TrianglePair> FindNearPairs(
       { scene.NumberOfVertices() > 0 ? scene.Position(0) + 3 * std::ptrdiff_t(scene.FirstVertex(i))
                                      : nullptr,
         scene.Mesh(i).Triangles, scene.Mesh(i).NumberOfTriangles, scene.Bounds(i),
-        self[std::size_t(i)] != 0 });
+        self[std::size_t(i)] != 0, &scene.Blocks(i) });
   }
   return FindOverlappingPairs(surfaces, executor, monitor);
 }

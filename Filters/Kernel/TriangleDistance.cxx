@@ -12,7 +12,7 @@ namespace
 
 /** Below this squared sine of the angle at a corner the products of Ericson's tests lose too many
  * digits. */
-constexpr double SlenderSine = 4e-4;
+constexpr double SlenderSine = 0.02;
 
 NearestOnTriangle At(const Vector3& place, Feature where)
 {
@@ -73,7 +73,7 @@ bool FootOnSlenderTriangle(const std::array<Vector3, 3>& corners, Vector3& foot)
   }
   const Vector3 across = (1.0 / width) * rise;
   const double s = -Dot(a, along);
-  const double t = -Dot(a, across);
+  const double t = Dot(-(a + s * along), across); // what is left, so that the length does not count
   if (!(t > 0.0 && s * width > t * apexAlong && (length - s) * width > t * (length - apexAlong)))
   {
     return false;
@@ -148,12 +148,12 @@ NearestOnTriangle FindNearestOnTriangle(const Vector3& a, const Vector3& b, cons
   {
     return NearestOnEdge(b, c, 1);
   }
-  const double sum = weightA + weightB + weightC;
   if (!(weightA > 0.0 && weightB > 0.0 && weightC > 0.0))
   {
     return NearestOnSlenderTriangle({ a, b, c });
   }
-  return At(a + (weightB / sum) * ab + (weightC / sum) * ac, Feature::Face);
+  const Vector3 normal = Cross(ab, ac);
+  return At((Dot(normal, a) / Dot(normal, normal)) * normal, Feature::Face);
 }
 
 } // namespace sb

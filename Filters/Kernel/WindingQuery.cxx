@@ -68,6 +68,24 @@ public:
   {
   }
 
+  /** Whether a query's line goes through the box. */
+  bool MayMeet(const QueryGroup& group, const Box& box) const
+  {
+    const std::size_t u = std::size_t(group.Axis + 1) % 3;
+    const std::size_t v = std::size_t(group.Axis + 2) % 3;
+    auto it =
+      std::lower_bound(group.FirstCoordinates.begin(), group.FirstCoordinates.end(), box.Lower[u]);
+    for (; it != group.FirstCoordinates.end() && *it <= box.Upper[u]; ++it)
+    {
+      const double second = this->SecondCoordinate(group, it);
+      if (second >= box.Lower[v] && second <= box.Upper[v])
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
   void Count(const QueryGroup& group, std::int32_t face) const
   {
     const std::array<std::int32_t, 3> corners = this->World.Corners(group.Operand, face);
@@ -88,7 +106,7 @@ public:
     for (auto it = first; it != group.FirstCoordinates.end() && *it <= uHigh; ++it)
     {
       const std::size_t i = group.Queries[std::size_t(it - group.FirstCoordinates.begin())];
-      const double second = static_cast<double>(this->Queries[i].Line.Place[1]) / Refinement;
+      const double second = this->SecondCoordinate(group, it);
       if (second >= vLow && second <= vHigh && this->Queries[i].Line.Face != face)
       {
         this->CountFor(i, face, p);
@@ -97,6 +115,14 @@ public:
   }
 
 private:
+  double SecondCoordinate(
+    const QueryGroup& group, std::vector<double>::const_iterator firstCoordinate) const
+  {
+    const std::size_t i =
+      group.Queries[std::size_t(firstCoordinate - group.FirstCoordinates.begin())];
+    return static_cast<double>(this->Queries[i].Line.Place[1]) / Refinement;
+  }
+
   void CountFor(std::size_t i, std::int32_t face, const double* const p[3]) const
   {
     const Probe& line = this->Queries[i].Line;
@@ -157,15 +183,25 @@ void AnswerQueries(const Scene& scene, const std::vector<std::uint8_t>& collapse
   const Counter counter(scene, queries, answers.get());
   for (const QueryGroup& group : GroupQueries(queries))
   {
-    const std::int32_t firstFace = scene.FirstFace(group.Operand);
-    executor.For(scene.FirstFace(group.Operand + 1) - firstFace, 1 << 14,
-      [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i)
+    const std::vector<TriangleBlock>& blocks = scene.Blocks(group.Operand);
+    const std::int32_t endOfFaces = scene.FirstFace(group.Operand + 1);
+    executor.For(
+      static_cast<std::int64_t>(blocks.size()), 64, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t block = begin; block < end; ++block)
         {
-          const std::int32_t face = firstFace + static_cast<std::int32_t>(i);
-          if (collapsed.empty() || !collapsed[std::size_t(face)])
+          if (!counter.MayMeet(group, blocks[std::size_t(block)].Bounds))
           {
-            counter.Count(group, face);
+            continue;
+          }
+          constexpr auto size = static_cast<std::int32_t>(TriangleBlock::Size);
+          const std::int32_t first =
+            scene.FirstFace(group.Operand) + static_cast<std::int32_t>(block) * size;
+          for (std::int32_t face = first; face < std::min(first + size, endOfFaces); ++face)
+          {
+            if (collapsed.empty() || !collapsed[std::size_t(face)])
+            {
+              counter.Count(group, face);
+            }
           }
         }
       });

@@ -14,6 +14,7 @@
 
 #include "Boolean.h"
 #include "CopyRun.h"
+#include "sbSurfaceModule.h" // for the export macro
 
 #include "vtkSmartPointer.h"
 
@@ -38,7 +39,7 @@ struct TupleSources
   std::vector<std::int32_t> Repeated;
 };
 
-class AttributeUnion
+class SBSURFACE_EXPORT AttributeUnion
 {
 public:
   /** One operand's arrays. */

@@ -8,6 +8,7 @@
 #define ConditionSentences_h
 
 #include "Boolean.h"
+#include "sbSurfaceModule.h" // for the export macro
 
 #include <string>
 
@@ -18,7 +19,7 @@ namespace sbvtk
  * @param operandName such as "Input" or "Tool 2"
  * @param cell the cell of the operand's data set at the place, or -1
  */
-std::string ConditionSentence(
+SBSURFACE_EXPORT std::string ConditionSentence(
   const sb::Remark& remark, const std::string& operandName, std::int64_t cell);
 
 } // namespace sbvtk

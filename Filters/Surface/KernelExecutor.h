@@ -9,6 +9,7 @@
 #define KernelExecutor_h
 
 #include "Executor.h"
+#include "sbSurfaceModule.h" // for the export macro
 
 #include <atomic>
 #include <functional>
@@ -23,7 +24,7 @@ namespace sbvtk
  * Hands out the ranges [0, grain), [grain, 2 grain), ... to the threads of vtkSMPTools, whatever
  * their number. An exception that the body throws is thrown again by For.
  */
-class KernelExecutor : public sb::Executor
+class SBSURFACE_EXPORT KernelExecutor : public sb::Executor
 {
 public:
   int NumberOfThreads() const override;
@@ -36,11 +37,11 @@ public:
  * thread unless it is told otherwise, so this asks for standard threads where no other backend has
  * been chosen.
  */
-void RunWithThreads(int numberOfThreads, const std::function<void()>& work);
+SBSURFACE_EXPORT void RunWithThreads(int numberOfThreads, const std::function<void()>& work);
 
 /** Passes the kernel's progress on as a share of the filter's, and the filter's abort flag to the
  * kernel. */
-class KernelMonitor : public sb::Monitor
+class SBSURFACE_EXPORT KernelMonitor : public sb::Monitor
 {
 public:
   /** @param first, last the part of the filter's progress, in [0, 1], that the kernel takes. */

@@ -3,6 +3,7 @@
 #include "OperandSurface.h"
 
 #include "PolygonTriangulation.h"
+#include "SnappedPoints.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -26,11 +27,16 @@ constexpr std::int64_t largest = std::numeric_limits<std::int32_t>::max();
 } // namespace
 
 //------------------------------------------------------------------------------
-OperandSurface::OperandSurface(vtkPolyData* data, sb::Executor& executor)
+OperandSurface::OperandSurface(vtkPolyData* data, sb::Executor& executor, double tolerance)
   : Copy(vtkSmartPointer<vtkPolyData>::New())
   , Stamp(GeometryStamp(data))
+  , Tolerance(tolerance)
 {
-  this->Copy->ShallowCopy(data);
+  if (tolerance > 0.0 && data->GetPoints())
+  {
+    this->MovedPoints = SnappedPoints(data->GetPoints(), tolerance, executor);
+  }
+  this->SetAttributesFrom(data);
   this->NumberOfCellsBefore =
     static_cast<std::int32_t>(data->GetNumberOfVerts() + data->GetNumberOfLines());
   this->Polygons = IdsOf(data->GetPolys());
@@ -74,13 +80,20 @@ std::vector<vtkMTimeType> OperandSurface::GeometryStamp(vtkPolyData* data)
 }
 
 //------------------------------------------------------------------------------
-bool OperandSurface::IsConversionOf(vtkPolyData* data) const
+bool OperandSurface::IsConversionOf(vtkPolyData* data, double tolerance) const
 {
-  return this->Stamp == GeometryStamp(data);
+  return this->Stamp == GeometryStamp(data) && this->Tolerance == tolerance;
 }
 
 //------------------------------------------------------------------------------
-void OperandSurface::SetAttributesFrom(vtkPolyData* data) { this->Copy->ShallowCopy(data); }
+void OperandSurface::SetAttributesFrom(vtkPolyData* data)
+{
+  this->Copy->ShallowCopy(data);
+  if (this->MovedPoints)
+  {
+    this->Copy->SetPoints(this->MovedPoints);
+  }
+}
 
 //------------------------------------------------------------------------------
 OperandSurface::CellIds OperandSurface::IdsOf(vtkCellArray* cells)

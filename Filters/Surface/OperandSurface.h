@@ -13,6 +13,7 @@
 #define OperandSurface_h
 
 #include "Boolean.h"
+#include "sbSurfaceModule.h" // for the export macro
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -23,6 +24,7 @@
 #include <vector>
 
 class vtkCellArray;
+class vtkPoints;
 
 namespace sbvtk
 {
@@ -31,18 +33,22 @@ class PolygonTriangulation;
 
 /** The triangles of one operand. Arrays of the data set that the kernel can read as they are, are
  * not copied. */
-class OperandSurface
+class SBSURFACE_EXPORT OperandSurface
 {
 public:
-  /** Convert. `data` must not have more than 2^31 - 1 points, cells or triangles: see FitsInt32. */
-  OperandSurface(vtkPolyData* data, sb::Executor& executor);
+  /**
+   * Convert. `data` must not have more than 2^31 - 1 points, cells or triangles: see FitsInt32.
+   * With a positive tolerance the points are moved by at most that (SnappedPoints.h), in Data()
+   * too.
+   */
+  OperandSurface(vtkPolyData* data, sb::Executor& executor, double tolerance = 0.0);
 
   /** Whether 32-bit ids can count the points, cells and triangles. */
   static bool FitsInt32(vtkPolyData* data);
 
-  /** Whether this was made of the geometry that `data` has now; its attributes are not looked at.
-   */
-  bool IsConversionOf(vtkPolyData* data) const;
+  /** Whether this was made with that tolerance of the geometry that `data` has now; its attributes
+   * are not looked at. */
+  bool IsConversionOf(vtkPolyData* data, double tolerance = 0.0) const;
 
   /** Take the attributes that `data` has now; its geometry has to be the one that was converted. */
   void SetAttributesFrom(vtkPolyData* data);
@@ -103,7 +109,9 @@ private:
   void CutStrip(std::int32_t strip, std::int32_t* triangles) const;
 
   vtkSmartPointer<vtkPolyData> Copy; // shallow: keeps alive what is read in place
+  vtkSmartPointer<vtkPoints> MovedPoints; // null without a tolerance
   std::vector<vtkMTimeType> Stamp;
+  double Tolerance;
   sb::Surface Triangulated;
   CellIds Polygons;
   CellIds Strips;

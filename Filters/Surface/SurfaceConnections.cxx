@@ -39,7 +39,7 @@ void MatchConnections(SurfaceConnections& last, vtkInformationVector** inputs)
 
 //------------------------------------------------------------------------------
 void ReadConnections(SurfaceConnections& connections, vtkInformationVector** inputs,
-  int notASurface, sb::Executor& executor)
+  int notASurface, double tolerance, sb::Executor& executor)
 {
   int place[2] = { 0, 0 };
   for (SurfaceConnection& connection : connections)
@@ -59,7 +59,7 @@ void ReadConnections(SurfaceConnections& connections, vtkInformationVector** inp
       throw FilterFailure{ static_cast<int>(remark.Condition),
         ConditionSentence(remark, connection.Name, -1) };
     }
-    if (connection.Surface && connection.Surface->IsConversionOf(surface))
+    if (connection.Surface && connection.Surface->IsConversionOf(surface, tolerance))
     {
       connection.Surface->SetAttributesFrom(surface);
     }
@@ -67,7 +67,7 @@ void ReadConnections(SurfaceConnections& connections, vtkInformationVector** inp
     {
       connection.Surface
         .reset(); // before its successor is made, so that both never need memory together
-      connection.Surface = std::make_shared<OperandSurface>(surface, executor);
+      connection.Surface = std::make_shared<OperandSurface>(surface, executor, tolerance);
     }
   }
 }
@@ -106,6 +106,17 @@ std::string RemarkSentence(const sb::Remark& remark, const SurfaceConnections& c
   const std::int64_t cell =
     remark.Triangle >= 0 ? connection.Surface->CellOfTriangle(remark.Triangle) : -1;
   return ConditionSentence(remark, connection.Name, cell);
+}
+
+//------------------------------------------------------------------------------
+void AppendTimes(const std::vector<sb::StageTime>& ofKernel, double secondsOfExaminations,
+  std::vector<sb::StageTime>& all)
+{
+  for (sb::StageTime time : ofKernel)
+  {
+    time.Seconds += std::string(time.Name) == "Check" ? secondsOfExaminations : 0.0;
+    all.push_back(time);
+  }
 }
 
 //------------------------------------------------------------------------------

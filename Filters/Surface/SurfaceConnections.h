@@ -47,10 +47,11 @@ void MatchConnections(SurfaceConnections& connections, vtkInformationVector** in
 /**
  * Read what the connections deliver now.
  * @param notASurface the Status of a connection that delivers no surface
+ * @param tolerance how far points may be moved (SnappedPoints.h)
  * @throw FilterFailure
  */
 void ReadConnections(SurfaceConnections& connections, vtkInformationVector** inputs,
-  int notASurface, sb::Executor& executor);
+  int notASurface, double tolerance, sb::Executor& executor);
 
 std::vector<std::shared_ptr<OperandSurface>> SurfacesOf(const SurfaceConnections& connections);
 
@@ -59,6 +60,11 @@ AttributeUnion::Source AttributesOf(const SurfaceConnection& connection, bool of
 
 /** A remark as a sentence with the connection's name and cell. */
 std::string RemarkSentence(const sb::Remark& remark, const SurfaceConnections& connections);
+
+/** Add the kernel's times to `all`; examinations made before it was called belong to its first
+ * stage. */
+void AppendTimes(const std::vector<sb::StageTime>& ofKernel, double secondsOfExaminations,
+  std::vector<sb::StageTime>& all);
 
 /** Whether all points are floats. */
 bool HaveFloatPoints(const SurfaceConnections& connections);

@@ -8,6 +8,7 @@
 #define SurfaceInput_h
 
 #include "Executor.h"
+#include "sbSurfaceModule.h" // for the export macro
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -23,7 +24,7 @@ namespace sbvtk
 
 /** The surface of one connection, kept from one update to the next so that merging is done again
  * only when needed. */
-class SurfaceInput
+class SBSURFACE_EXPORT SurfaceInput
 {
 public:
   /**

@@ -7,6 +7,8 @@
 #ifndef TimeSteps_h
 #define TimeSteps_h
 
+#include "sbSurfaceModule.h" // for the export macro
+
 class vtkInformationVector;
 
 namespace sbvtk
@@ -17,7 +19,7 @@ namespace sbvtk
  * holds all of theirs. The pipeline by itself passes on those of the first connection only, so that
  * a moving second input would stand still.
  */
-void UniteTimeSteps(
+SBSURFACE_EXPORT void UniteTimeSteps(
   vtkInformationVector** inputs, int numberOfPorts, vtkInformationVector* outputs);
 
 } // namespace sbvtk

@@ -143,7 +143,8 @@ void vtkPolyDataBooleanOperationFilter::Run::CheckSettings() const
 void vtkPolyDataBooleanOperationFilter::Run::ReadInputs()
 {
   sbvtk::SurfaceConnections& connections = this->Filter->Inputs->Connections;
-  sbvtk::ReadConnections(connections, this->Inputs, NOT_A_SURFACE, this->Executor);
+  sbvtk::ReadConnections(
+    connections, this->Inputs, NOT_A_SURFACE, this->Filter->Tolerance, this->Executor);
   this->Operands = sbvtk::SurfacesOf(connections);
   this->Times.push_back({ "Read inputs", this->Watch.Lap() });
 }
@@ -153,19 +154,19 @@ void vtkPolyDataBooleanOperationFilter::Run::Compute()
 {
   sb::BooleanRequest request;
   request.Op = static_cast<sb::Operation>(this->Filter->Operation);
-  request.Tolerance = this->Filter->Tolerance;
   for (const sbvtk::SurfaceConnection& connection : this->Filter->Inputs->Connections)
   {
     request.Operands.push_back({ connection.Surface->Mesh(), connection.Side,
       connection.Surface->Examination(this->Executor) });
   }
+  const double secondsOfExaminations = this->Watch.Lap();
   this->PointArrays.emplace(this->Attributes(true));
   this->CellArrays.emplace(this->Attributes(false));
   sbvtk::KernelMonitor monitor(this->Filter, 0.05, 0.9);
   this->Result = sb::ComputeBoolean(request,
     this->PointArrays->IsEmpty() ? sb::SeamPoints::Shared : sb::SeamPoints::PerSide, this->Executor,
     monitor);
-  this->Times.insert(this->Times.end(), this->Result.Times.begin(), this->Result.Times.end());
+  sbvtk::AppendTimes(this->Result.Times, secondsOfExaminations, this->Times);
   this->Watch.Lap();
 }
 

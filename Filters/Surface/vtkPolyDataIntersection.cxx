@@ -137,7 +137,8 @@ void vtkPolyDataIntersection::Run::CheckSettings() const
 void vtkPolyDataIntersection::Run::ReadInputs()
 {
   sbvtk::MatchConnections(this->Connections, this->Inputs);
-  sbvtk::ReadConnections(this->Connections, this->Inputs, NOT_A_SURFACE, this->Executor);
+  sbvtk::ReadConnections(
+    this->Connections, this->Inputs, NOT_A_SURFACE, this->Filter->Tolerance, this->Executor);
   this->Operands = sbvtk::SurfacesOf(this->Connections);
   // The same everywhere, so that what meets in one output meets in the others.
   this->SinglePrecision = sbvtk::HaveFloatPoints(this->Connections);
@@ -148,7 +149,6 @@ void vtkPolyDataIntersection::Run::ReadInputs()
 void vtkPolyDataIntersection::Run::Compute()
 {
   sb::IntersectionRequest request;
-  request.Tolerance = this->Filter->Tolerance;
   for (const sbvtk::SurfaceConnection& connection : this->Connections)
   {
     request.Operands.push_back({ connection.Surface->Mesh(), connection.Side,
@@ -157,10 +157,10 @@ void vtkPolyDataIntersection::Run::Compute()
         ? this->Filter->SplitFirstOutput != 0
         : this->Filter->SplitSecondOutput != 0);
   }
-  this->Times.push_back({ "Examine inputs", this->Watch.Lap() });
+  const double secondsOfExaminations = this->Watch.Lap();
   sbvtk::KernelMonitor monitor(this->Filter, 0.05, 0.9);
   this->Result = sb::ComputeIntersection(request, this->Executor, monitor);
-  this->Times.insert(this->Times.end(), this->Result.Times.begin(), this->Result.Times.end());
+  sbvtk::AppendTimes(this->Result.Times, secondsOfExaminations, this->Times);
   this->Watch.Lap();
 }
 

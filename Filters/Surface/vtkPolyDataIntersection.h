@@ -89,7 +89,8 @@ public:
   ///@{
   /**
    * How far a point may be moved, in the unit of the points, before the exact computation starts;
-   * zero or more. Points nearer to each other than this become one. It never loosens a comparison.
+   * zero or more. Points move to the nearest places of a grid of about that width, which closes
+   * gaps far smaller than it, within a surface and between surfaces. It never loosens a comparison.
    * 0 by default.
    */
   vtkSetMacro(Tolerance, double);

@@ -15,8 +15,8 @@ pytestmark = pytest.mark.skipif(
     not meshes.CGAL_DATA.exists(), reason="the package libcgal-demo is not installed"
 )
 
-PLAIN = """elephant dino hand blob-closed fandisk_large fandisk knot1 knot2 rotor anchor spool pinion couplingdown joint bull
-    cactus anchor_dense helmet turbine femur retinal bear eight cheese handle knot blobby""".split()
+PLAIN = """elephant dino hand blob-closed 3torus P cross fandisk knot1 rotor anchor spool pinion couplingdown joint bull
+    cactus anchor_dense helmet femur retinal eight handle knot blobby star sphere966""".split()
 OVERLAPPING = ["bones", "camel", "cow", "elk"]  # they run through themselves: a nearest face may lie inside
 COUNT = 300  # points a mesh and kind; more take longer and find no more
 PRECISION = 1e-14  # of the size of the box, which is 2 here

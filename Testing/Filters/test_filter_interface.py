@@ -723,3 +723,41 @@ def test_progress_goes_up_from_start_to_end():
     tested.AddObserver("ProgressEvent", lambda *_: seen.append(tested.GetProgress()))
     tested.Update()
     assert seen == sorted(seen) and len(seen) > 2 and seen[0] < 0.2 and seen[-1] == 1.0
+
+
+# ---------------------------------------------------------------------------------------------------------- Tolerance
+
+
+@pytest.mark.parametrize("gap", [1e-4, -1e-4])
+def test_a_tolerance_closes_a_gap_between_two_surfaces(gap):
+    left, right = meshes.box((0, 0, 0), (1, 1, 1)), meshes.box((1 + gap, 0, 0), (2, 1, 1))
+    assert boolean([left], [right], UNION).volume == pytest.approx(2.0 - max(gap, 0.0), abs=1e-12)
+    joined = boolean([left], [right], UNION, Tolerance=0.01)
+    assert joined.status == 0
+    assert joined.volume == 2.0
+    assert joined.area == 10.0
+    assert measures.open_edges(joined.body) == 0
+
+
+def test_a_tolerance_closes_the_cracks_of_one_surface():
+    closed = meshes.icosphere(3)
+    noise = np.random.default_rng(1).uniform(-1e-7, 1e-7, (3 * len(closed.triangles), 3))
+    cracked = meshes.mesh(
+        closed.points[closed.triangles.ravel()] + noise, np.arange(len(noise)).reshape(-1, 3)
+    )
+    tool = meshes.box((0, 0, 0), (2, 2, 2))
+    assert boolean([cracked], [tool], UNION).status in (2, 3)
+    result = boolean([cracked], [tool], UNION, Tolerance=1e-4)
+    assert result.status == 0
+    assert measures.open_edges(result.body) == 0
+    assert result.volume == pytest.approx(boolean([closed], [tool], UNION).volume, abs=1e-3)
+
+
+def test_a_tolerance_moves_no_point_farther_than_it_says():
+    body = meshes.moved(meshes.icosphere(3), (0.3, 0.2, 0.1))
+    far = meshes.moved(body, (5, 0, 0))
+    for tolerance in (1e-9, 1e-3, 0.05):
+        result = boolean([body], [far], UNION, Tolerance=tolerance)
+        source = np.concatenate([body.points, far.points])
+        distance = np.linalg.norm(result.body.points - source, axis=1)
+        assert 0 < distance.max() <= tolerance

@@ -567,7 +567,7 @@ struct Stage
     : Given(given)
     , Request(Given.Request())
     , Checked(sb::Ingest(Request, Executor))
-    , World(Request, Checked.Reports, Checked.Swapped, Executor)
+    , World(Request, Checked, Executor)
   {
   }
 
@@ -595,7 +595,7 @@ struct CutStage : Stage
       surfaces.push_back(
         { mesh.NumberOfTriangles > 0 ? this->World.Position(this->World.FirstVertex(i)) : nullptr,
           mesh.Triangles, mesh.NumberOfTriangles, this->World.Bounds(i),
-          this->Self[static_cast<std::size_t>(i)] != 0 });
+          this->Self[static_cast<std::size_t>(i)] != 0, &this->World.Blocks(i) });
     }
     this->Pairs = sb::FindOverlappingPairs(surfaces, this->Executor, this->Monitor);
     this->Collapsed = sb::FindCollapsedFaces(this->World, this->Pairs);

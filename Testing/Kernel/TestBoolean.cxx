@@ -847,12 +847,6 @@ void CheckBadRequests()
     return result.Condition;
   };
   CHECK(condition(sb::BooleanRequest()) == Status::BadRequest);
-  for (const double tolerance : { -1.0, std::nan(""), std::numeric_limits<double>::infinity() })
-  {
-    sb::BooleanRequest request = Case{ { box }, { box }, Operation::Union }.Request();
-    request.Tolerance = tolerance;
-    CHECK(condition(request) == Status::BadRequest);
-  }
   Mesh bad = box;
   bad.Triangles[3][1] = 8;
   CHECK(condition(Case{ { box }, { bad }, Operation::Union }.Request()) == Status::BadIndex);

@@ -10,6 +10,7 @@
 #include "Rational.h"
 #include "Shapes.h"
 
+#include <ctime>
 #include <map>
 #include <set>
 
@@ -314,6 +315,54 @@ void CheckPointsOnEdges()
   }
 }
 
+/** The processor time that it takes to draw parallel lines across a face, in an order without rule.
+ */
+double SecondsForParallels(int count)
+{
+  const int size = 1 << 20;
+  Drawing drawing(Face(size, true, false));
+  std::vector<int> order;
+  std::vector<Point> starts;
+  std::vector<Point> ends;
+  for (int i = 1; i <= count; ++i)
+  {
+    const int y = i * (size / (2 * count));
+    order.push_back(i - 1);
+    starts.push_back(InPlane(0, y, true));
+    ends.push_back(InPlane(size - y, y, true));
+  }
+  for (const std::vector<Point>* side : { &starts, &ends })
+  {
+    for (const Point& p : *side)
+    {
+      drawing.Insert(p);
+    }
+  }
+  Random random(6);
+  std::shuffle(order.begin(), order.end(), random);
+  const std::clock_t begin = std::clock();
+  for (const int i : order)
+  {
+    drawing.Mesh.Constrain(3 + i, 3 + count + i, i, drawing);
+  }
+  const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  CHECK_EQUAL(drawing.Mesh.Cells().size(), static_cast<std::size_t>(2 * count + 1));
+  CHECK_EQUAL(drawing.NumberOfCrossings, 0);
+  return seconds;
+}
+
+/** Long segments next to each other: eight times as many take less than twenty times as long, not
+ * sixty-four times. */
+void CheckParallels()
+{
+  double few = 1e300;
+  for (int i = 0; i < 3; ++i)
+  {
+    few = std::min(few, SecondsForParallels(1000));
+  }
+  CHECK(SecondsForParallels(8000) < 20 * few + 0.01);
+}
+
 /** How many free edges have the opposite vertex inside the circle of their cell, by rational
  * arithmetic. */
 int NumberOfBadEdges(const Drawing& drawing, const std::vector<Flat>& flat)
@@ -419,5 +468,6 @@ int main()
   CheckManyPoints();
   CheckGrid();
   CheckLongConstraints();
+  CheckParallels();
   return check::Verdict("TestFaceTriangulation");
 }

@@ -482,7 +482,7 @@ void CheckBadInput()
 
   const std::vector<Mesh> surfaces{ Cube(0, 4), Cube(2, 6) };
   sb::IntersectionRequest request = Request(surfaces);
-  request.Tolerance = -1.0;
+  request.Split.pop_back();
   sb::SerialExecutor executor;
   sb::Monitor monitor;
   CHECK(sb::ComputeIntersection(request, executor, monitor).Condition == Status::BadRequest);

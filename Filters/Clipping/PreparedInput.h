@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PreparedInput.h
+ * @brief The input of a filter as triangles, kept from one update to the next.
+ */
+#ifndef PreparedInput_h
+#define PreparedInput_h
+
+#include "Boolean.h"
+#include "OperandSurface.h"
+#include "SurfaceInput.h"
+
+#include <memory>
+#include <string>
+
+class vtkInformationVector;
+
+namespace sbvtk
+{
+
+/** Why an update cannot go on: the field `Status`, and one sentence for the user. */
+struct Failure
+{
+  int Status;
+  std::string Sentence;
+};
+
+class PreparedInput
+{
+public:
+  /** Prepare what the connection delivers, unless it is what was prepared before. Throws Failure.
+   */
+  void Read(vtkInformationVector* connections, int notASurface, sb::Executor& executor);
+
+  OperandSurface& Surface() const { return *this->Triangles; }
+
+  /** The failure that a kernel's remark amounts to. */
+  Failure FailureOf(const sb::Remark& remark) const;
+
+private:
+  SurfaceInput Connection;
+  std::shared_ptr<OperandSurface> Triangles;
+};
+
+} // namespace sbvtk
+
+#endif

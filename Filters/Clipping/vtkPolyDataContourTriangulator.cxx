@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPolyDataContourTriangulator.h"
+
+#include "AttributeUnion.h"
+#include "ConditionSentences.h"
+#include "ContourFill.h"
+#include "FieldArrays.h"
+#include "KernelExecutor.h"
+#include "PreparedInput.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTypeInt64Array.h"
+
+#include <algorithm>
+#include <new>
+#include <numeric>
+#include <string>
+
+vtkStandardNewMacro(vtkPolyDataContourTriangulator);
+
+/** One update: its steps in their order, and what they share. */
+class vtkPolyDataContourTriangulator::Run
+{
+public:
+  Run(vtkPolyDataContourTriangulator* filter, vtkPolyData* input, vtkPolyData* output)
+    : Filter(filter)
+    , Input(input)
+    , Output(output)
+  {
+  }
+
+  void Execute();
+
+private:
+  void ReadLines();
+  void BuildPoints();
+  void BuildTriangles();
+  void Report();
+  void AddFields(int status, const std::string& message);
+
+  vtkPolyDataContourTriangulator* Filter;
+  vtkPolyData* Input;
+  vtkPolyData* Output;
+  vtkNew<vtkDoubleArray> Coordinates;
+  sb::ContourFillRequest Request;
+  sb::ContourFillResult Result;
+};
+
+//------------------------------------------------------------------------------
+void vtkPolyDataContourTriangulator::Run::Execute()
+{
+  sbvtk::Failure failure{ 0, "" };
+  try
+  {
+    this->ReadLines();
+    this->Result = sb::FillLines(this->Request);
+    if (sb::IsError(this->Result.Condition))
+    {
+      throw sbvtk::Failure{ static_cast<int>(this->Result.Condition),
+        sbvtk::ConditionSentence(this->Result.Remarks.front(), "Input", -1) };
+    }
+    this->BuildPoints();
+    this->BuildTriangles();
+    this->Report();
+    return;
+  }
+  catch (const sbvtk::Failure& thrown)
+  {
+    failure = thrown;
+  }
+  catch (const std::bad_alloc&)
+  {
+    failure = { OUT_OF_MEMORY, "The result does not fit into memory; close other data first." };
+  }
+  this->Output->Initialize();
+  this->AddFields(failure.Status, failure.Sentence);
+  vtkErrorWithObjectMacro(this->Filter, << failure.Sentence);
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyDataContourTriangulator::Run::ReadLines()
+{
+  const vtkIdType numberOfPoints = this->Input->GetNumberOfPoints();
+  if (numberOfPoints > 0)
+  {
+    this->Coordinates->DeepCopy(this->Input->GetPoints()->GetData());
+  }
+  this->Request.Points = this->Coordinates->GetPointer(0);
+  this->Request.NumberOfPoints = numberOfPoints;
+  vtkCellArray* lines = this->Input->GetLines();
+  for (vtkIdType cell = 0; lines && cell < lines->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    lines->GetCellAtId(cell, size, points);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      if (points[i] < 0 || points[i] >= numberOfPoints)
+      {
+        sb::Remark remark;
+        remark.Condition = sb::Status::BadIndex;
+        throw sbvtk::Failure{ static_cast<int>(remark.Condition),
+          sbvtk::ConditionSentence(remark, "Input", this->Input->GetNumberOfVerts() + cell) };
+      }
+      if (i > 0)
+      {
+        this->Request.Segments.push_back(
+          { static_cast<std::int32_t>(points[i - 1]), static_cast<std::int32_t>(points[i]) });
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyDataContourTriangulator::Run::BuildPoints()
+{
+  if (this->Result.Crossings.empty())
+  {
+    this->Output->SetPoints(this->Input->GetPoints());
+    this->Output->GetPointData()->PassData(this->Input->GetPointData());
+    return;
+  }
+  const vtkIdType before = this->Input->GetNumberOfPoints();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(this->Input->GetPoints()->GetDataType());
+  points->DeepCopy(this->Input->GetPoints());
+  for (const sb::InterpolatedPoint& crossing : this->Result.Crossings)
+  {
+    points->InsertNextPoint(crossing.Position.data());
+  }
+  this->Output->SetPoints(points);
+  std::vector<std::int32_t> ids(static_cast<std::size_t>(before));
+  std::iota(ids.begin(), ids.end(), 0);
+  sbvtk::TupleSources tuples;
+  sbvtk::CopyRun run;
+  run.Count = before;
+  run.PointIds = ids.data();
+  tuples.Runs.push_back(run);
+  tuples.NumberOfTuples = points->GetNumberOfPoints();
+  tuples.Interpolated = &this->Result.Crossings;
+  tuples.FirstInterpolated = before;
+  sbvtk::KernelExecutor executor;
+  const sbvtk::AttributeUnion attributes(
+    { { this->Input->GetPointData(), before, "Input" } }, "point");
+  attributes.CopyTo(this->Output->GetPointData(), tuples, executor);
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyDataContourTriangulator::Run::BuildTriangles()
+{
+  const auto count = static_cast<vtkIdType>(this->Result.Triangles.size());
+  vtkNew<vtkTypeInt64Array> offsets;
+  vtkNew<vtkTypeInt64Array> connectivity;
+  vtkNew<vtkIdTypeArray> polygonIds;
+  vtkNew<vtkIntArray> nestings;
+  offsets->SetNumberOfValues(count + 1);
+  connectivity->SetNumberOfValues(3 * count);
+  polygonIds->SetName("PolygonId");
+  polygonIds->SetNumberOfValues(count);
+  nestings->SetName("Nesting");
+  nestings->SetNumberOfValues(count);
+  offsets->SetValue(0, 0);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const std::array<std::int32_t, 3>& triangle =
+      this->Result.Triangles[static_cast<std::size_t>(i)];
+    std::copy(triangle.begin(), triangle.end(), connectivity->GetPointer(3 * i));
+    offsets->SetValue(i + 1, 3 * (i + 1));
+    const std::int32_t polygon = this->Result.PolygonOfTriangle[static_cast<std::size_t>(i)];
+    polygonIds->SetValue(i, polygon);
+    nestings->SetValue(i, this->Result.Nesting[static_cast<std::size_t>(polygon)]);
+  }
+  vtkNew<vtkCellArray> polygons;
+  polygons->SetData(offsets, connectivity);
+  this->Output->SetPolys(polygons);
+  this->Output->GetCellData()->AddArray(polygonIds);
+  this->Output->GetCellData()->AddArray(nestings);
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyDataContourTriangulator::Run::Report()
+{
+  int status = 0;
+  std::string sentence = "The result is complete.";
+  if (this->Result.OpenSegments > 0)
+  {
+    status = OPEN_CONTOURS;
+    sentence = "Input has " + std::to_string(this->Result.OpenSegments) +
+      " line segments that are part of no closed contour, so they were left out; close the "
+      "contours first.";
+  }
+  else if (this->Result.Deviation > 1e-3 * this->Result.Size)
+  {
+    status = NOT_PLANAR;
+    sentence = "Input has points up to " + std::to_string(this->Result.Deviation) +
+      " off the plane of its contours, so they were filled as seen along its normal; fill the "
+      "contours of each plane by themselves.";
+  }
+  if (status != 0)
+  {
+    vtkWarningWithObjectMacro(this->Filter, << sentence);
+  }
+  this->AddFields(status, sentence);
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyDataContourTriangulator::Run::AddFields(int status, const std::string& message)
+{
+  this->Output->GetFieldData()->PassData(this->Input->GetFieldData());
+  sbvtk::AddField<vtkIntArray>(this->Output, "Status", std::vector<int>{ status });
+  sbvtk::AddField<vtkStringArray>(this->Output, "Message", std::vector<std::string>{ message });
+  sbvtk::AddField<vtkIdTypeArray>(this->Output, "PolygonCount",
+    std::vector<vtkIdType>{ static_cast<vtkIdType>(this->Result.Nesting.size()) });
+}
+
+//------------------------------------------------------------------------------
+int vtkPolyDataContourTriangulator::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  Run(this, vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(outputs)).Execute();
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyDataContourTriangulator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

@@ -1,0 +1,477 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Clip.h"
+
+#include "CapContours.h"
+#include "CapFilling.h"
+#include "ClipPoints.h"
+#include "FaceClip.h"
+#include "FaceRemainder.h"
+#include "ManifoldEdges.h"
+#include "PlaneOnLattice.h"
+#include "PolygonCutting.h"
+#include "VertexSides.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+
+namespace sb
+{
+
+namespace
+{
+
+constexpr std::int64_t grain = 1 << 14;
+
+double AreaOf(const double* a, const double* b, const double* c)
+{
+  const double p[3] = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
+  const double q[3] = { c[0] - a[0], c[1] - a[1], c[2] - a[2] };
+  return std::hypot(std::hypot(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2]),
+           p[0] * q[1] - p[1] * q[0]) /
+    2.0;
+}
+
+class Clipper
+{
+public:
+  Clipper(const ClipRequest& request, Executor& executor, Monitor& monitor)
+    : Request(request)
+    , Mesh(request.Mesh)
+    , Threads(executor)
+    , Listener(monitor)
+  {
+  }
+
+  ClipResult Run()
+  {
+    const bool good = this->Check() && this->FindSides() && this->FindFates() && this->CutFaces() &&
+      this->MakeCaps() && this->MakeOutput();
+    this->Result.Condition = Status::Ok;
+    for (const Remark& remark : this->Result.Remarks)
+    {
+      this->Result.Condition = std::max(this->Result.Condition, remark.Condition);
+    }
+    if (!good)
+    {
+      ClipResult empty;
+      empty.Condition = this->Result.Condition;
+      empty.Remarks = this->Result.Remarks;
+      return empty;
+    }
+    return std::move(this->Result);
+  }
+
+private:
+  Remark& Add(Status condition)
+  {
+    this->Result.Remarks.emplace_back();
+    this->Result.Remarks.back().Condition = condition;
+    return this->Result.Remarks.back();
+  }
+
+  /** End a stage. @return false if the caller wants to stop. */
+  bool EndStage(const char* name, double fraction)
+  {
+    const auto now = std::chrono::steady_clock::now();
+    this->Result.Times.push_back(
+      { name, std::chrono::duration<double>(now - this->StageStart).count() });
+    this->StageStart = now;
+    this->Listener.Progress(fraction, name);
+    if (this->Listener.Aborted())
+    {
+      this->Add(Status::Aborted);
+      return false;
+    }
+    return true;
+  }
+
+  bool Check()
+  {
+    constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max() / 4;
+    if (this->Mesh.NumberOfTriangles > most || this->Mesh.NumberOfPoints > most)
+    {
+      this->Add(Status::TooLarge);
+      return false;
+    }
+    const bool goodPlanes =
+      std::all_of(this->Request.Planes.begin(), this->Request.Planes.end(), IsPlane);
+    if (!goodPlanes || !std::isfinite(this->Request.Tolerance) || this->Request.Tolerance < 0.0)
+    {
+      this->Add(Status::BadRequest);
+      return false;
+    }
+    return true;
+  }
+
+  bool FindSides()
+  {
+    const MeshBounds bounds = FindBounds(this->Mesh, this->Threads);
+    std::vector<ClipPlane> planes = this->Request.Planes;
+    this->IsRest = this->Request.InsideOut && planes.size() != 1;
+    if (this->Request.InsideOut && planes.size() == 1)
+    {
+      // What is not in front of one plane is in front of the opposite one.
+      for (double& component : planes[0].Normal)
+      {
+        component = -component;
+      }
+    }
+    this->Grid = PlaceOnLattice(bounds, this->Request.Tolerance, planes);
+    for (const ClipPlane& plane : planes)
+    {
+      this->Planes.emplace_back(plane, this->Grid);
+    }
+    this->Sides = FindVertexSides(this->Mesh, this->Grid, this->Planes, this->Threads);
+    return this->EndStage("Sides", 0.3);
+  }
+
+  bool FindFates()
+  {
+    this->Result.Fates.resize(std::size_t(this->Mesh.NumberOfTriangles));
+    const FaceSides faces = FindFaceSides(this->Mesh, this->Sides, this->Planes.size(),
+      this->IsRest, this->Result.Fates, this->Threads);
+    if (faces.BadIndex >= 0)
+    {
+      this->Add(Status::BadIndex).Triangle = faces.BadIndex;
+      return false;
+    }
+    if (faces.BadCoordinate >= 0)
+    {
+      this->Add(Status::BadCoordinate).Triangle = faces.BadCoordinate;
+      return false;
+    }
+    this->Touched = faces.Touched;
+    this->NumberKept();
+    return this->EndStage("Fates", 0.6);
+  }
+
+  /** Give the points that are kept their ids. */
+  void NumberKept()
+  {
+    const std::int64_t count = this->Mesh.NumberOfPoints;
+    const std::int64_t blocks = (count + grain - 1) / grain;
+    std::vector<std::int64_t> firsts(std::size_t(blocks) + 1, 0);
+    const auto forEach = [&](auto&& body) {
+      this->Threads.For(blocks, 1, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t block = begin; block < end; ++block)
+        {
+          body(block, block * grain, std::min(count, (block + 1) * grain));
+        }
+      });
+    };
+    forEach([&](std::int64_t block, std::int64_t begin, std::int64_t end) {
+      std::int64_t kept = 0;
+      for (std::int64_t i = begin; i < end; ++i)
+      {
+        kept += this->Sides.IsKept(i, this->IsRest);
+      }
+      firsts[std::size_t(block) + 1] = kept;
+    });
+    for (std::size_t block = 0; block < std::size_t(blocks); ++block)
+    {
+      firsts[block + 1] += firsts[block];
+    }
+    this->Result.PointMap.resize(std::size_t(count));
+    this->Result.KeptPoints.resize(std::size_t(firsts.back()));
+    forEach([&](std::int64_t block, std::int64_t begin, std::int64_t end) {
+      std::int32_t next = static_cast<std::int32_t>(firsts[std::size_t(block)]);
+      for (std::int64_t i = begin; i < end; ++i)
+      {
+        const bool kept = this->Sides.IsKept(i, this->IsRest);
+        this->Result.PointMap[std::size_t(i)] = kept ? next : -1;
+        if (kept)
+        {
+          this->Result.KeptPoints[std::size_t(next++)] = static_cast<std::int32_t>(i);
+        }
+      }
+    });
+  }
+
+  bool CutFaces()
+  {
+    this->Points.reset(new ClipPoints(this->Mesh, this->Grid, this->Planes));
+    this->Contours.resize(this->Planes.size());
+    FaceClip clip(*this->Points);
+    for (const std::int32_t face : this->Touched)
+    {
+      const std::vector<FaceClip::Corner>& polygon = clip.Clip(face, this->Contours);
+      if (polygon.size() > 2 ||
+        (this->IsRest && this->Result.Fates[std::size_t(face)] == Fate::Split))
+      {
+        this->PolygonFaces.push_back(face);
+        this->PolygonCorners.insert(this->PolygonCorners.end(), polygon.begin(), polygon.end());
+      }
+      this->PolygonEnds.resize(this->PolygonFaces.size(), this->PolygonCorners.size());
+    }
+    return this->EndStage("Cuts", 0.7);
+  }
+
+  bool MakeCaps()
+  {
+    const OpenContourCount open = CompleteContours(*this->Points, this->Contours, this->Splits);
+    this->Result.JoinedContours = open.Joined;
+    this->Result.OpenContours = open.Removed;
+    for (std::int32_t plane = 0; plane < this->Points->NumberOfPlanes(); ++plane)
+    {
+      this->FillCap(plane);
+    }
+    return this->EndStage("Caps", 0.9);
+  }
+
+  void FillCap(std::int32_t plane)
+  {
+    const CapFilling cap = FillCapContour(
+      *this->Points, plane, this->Contours[std::size_t(plane)], FillRule::Winding, this->Splits);
+    for (std::size_t i = 0; i < cap.Triangles.size(); ++i)
+    {
+      this->CapInstances.push_back(cap.Triangles[i]);
+      this->Result.PlaneOfCap.push_back(plane);
+    }
+  }
+
+  bool MakeOutput()
+  {
+    if (this->IsRest)
+    {
+      this->ListPointsOnEdges();
+    }
+    for (std::size_t i = 0; i < this->PolygonFaces.size(); ++i)
+    {
+      this->IsRest ? this->AddRemainder(i) : this->AddPieces(i);
+      this->Result.Parents.resize(this->Result.Pieces.size(), this->PolygonFaces[i]);
+    }
+    for (const std::array<std::int32_t, 3>& triangle : this->CapInstances)
+    {
+      // The rest of the solid lies on the other side of the caps.
+      this->Result.Caps.push_back(
+        { this->IdOfInstance(triangle[0]), this->IdOfInstance(triangle[this->IsRest ? 2 : 1]),
+          this->IdOfInstance(triangle[this->IsRest ? 1 : 2]) });
+    }
+    for (std::size_t plane = 0; plane < this->Contours.size(); ++plane)
+    {
+      for (const Segment& segment : this->Contours[plane])
+      {
+        this->Result.Outline.push_back(
+          { { this->IdOfInstance(segment.From), this->IdOfInstance(segment.To) },
+            static_cast<std::int32_t>(plane) });
+      }
+    }
+    this->Separate();
+    this->MeasureCaps();
+    return this->EndStage("Pieces", 1.0);
+  }
+
+  void MeasureCaps()
+  {
+    this->Result.CapAreas.assign(this->Planes.size(), 0.0);
+    for (std::size_t i = 0; i < this->Result.Caps.size(); ++i)
+    {
+      const std::array<std::int32_t, 3>& cap = this->Result.Caps[i];
+      this->Result.CapAreas[std::size_t(this->Result.PlaneOfCap[i])] +=
+        AreaOf(this->PlaceOf(cap[0]), this->PlaceOf(cap[1]), this->PlaceOf(cap[2]));
+    }
+  }
+
+  /** Contacts along edges: on pieces and caps together. */
+  void Separate()
+  {
+    std::vector<std::array<std::int32_t, 3>> all = this->Result.Pieces;
+    all.insert(all.end(), this->Result.Caps.begin(), this->Result.Caps.end());
+    const auto firstPoint = static_cast<std::int32_t>(this->Result.KeptPoints.size());
+    const std::vector<std::int32_t> copies =
+      SeparateContacts(all, static_cast<std::int64_t>(this->Result.Pieces.size()), firstPoint,
+        firstPoint + static_cast<std::int32_t>(this->Result.Created.size()));
+    for (const std::int32_t point : copies)
+    {
+      const InterpolatedPoint copy = this->Result.Created[std::size_t(point - firstPoint)];
+      this->Result.Created.push_back(copy);
+    }
+    const auto firstCap = all.begin() + static_cast<std::ptrdiff_t>(this->Result.Pieces.size());
+    std::copy(all.begin(), firstCap, this->Result.Pieces.begin());
+    std::copy(firstCap, all.end(), this->Result.Caps.begin());
+  }
+
+  /** The id in the result of a point on a plane. */
+  std::int32_t IdOfInstance(std::int32_t instance)
+  {
+    if (this->Request.Seams == SeamPoints::Shared)
+    {
+      instance = this->Points->Instance(this->Points->Node(instance));
+    }
+    const auto size = static_cast<std::size_t>(this->Points->NumberOfInstances());
+    this->IdOfInstances.resize(std::max(size, this->IdOfInstances.size()), -1);
+    std::int32_t& id = this->IdOfInstances[std::size_t(instance)];
+    if (id < 0)
+    {
+      id = static_cast<std::int32_t>(this->Result.KeptPoints.size() + this->Result.Created.size());
+      this->Result.Created.push_back(this->Points->Output(instance));
+    }
+    return id;
+  }
+
+  std::int32_t IdOf(const FaceClip::Corner& corner)
+  {
+    return corner.Instance >= 0 ? this->IdOfInstance(corner.Instance)
+                                : this->Result.PointMap[std::size_t(corner.Vertex)];
+  }
+
+  const double* PlaceOf(std::int32_t id) const
+  {
+    const auto firstCreated = static_cast<std::int32_t>(this->Result.KeptPoints.size());
+    return id >= firstCreated
+      ? this->Result.Created[std::size_t(id - firstCreated)].Position.data()
+      : this->Mesh.Points + 3 * std::int64_t(this->Result.KeptPoints[std::size_t(id)]);
+  }
+
+  /** Cut what is left of a triangle into triangles. */
+  void AddPieces(std::size_t polygon)
+  {
+    const std::size_t begin = polygon == 0 ? 0 : this->PolygonEnds[polygon - 1];
+    const std::size_t end = this->PolygonEnds[polygon];
+    this->Outline.Clear();
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const FaceClip::Corner& corner = this->PolygonCorners[i];
+      const FaceClip::Corner& next = this->PolygonCorners[i + 1 == end ? begin : i + 1];
+      this->Outline.Add(this->IdOf(corner), false);
+      if (!this->Splits.empty() && corner.Instance >= 0 && next.Instance >= 0)
+      {
+        this->SplitNodes.clear();
+        AppendSplit(this->Splits, this->Points->Node(corner.Instance),
+          this->Points->Node(next.Instance), this->SplitNodes);
+        for (std::size_t k = 1; k + 1 < this->SplitNodes.size(); ++k)
+        {
+          this->Outline.Add(this->IdOfInstance(this->Points->Instance(this->SplitNodes[k])), true);
+        }
+      }
+    }
+    this->Outline.Cut([this](std::int32_t id) { return this->PlaceOf(id); }, this->Result.Pieces);
+  }
+
+  /** What neighbours put on edges, a triangle has to have on its side, too. */
+  void ListPointsOnEdges()
+  {
+    std::array<std::int32_t, 2> edge;
+    for (const FaceClip::Corner& corner : this->PolygonCorners)
+    {
+      if (corner.Instance >= 0 && this->Points->IsOnEdge(corner.Instance, edge))
+      {
+        std::vector<std::int32_t>& instances = this->PointsOnEdges[edge];
+        if (std::find(instances.begin(), instances.end(), corner.Instance) == instances.end())
+        {
+          instances.push_back(corner.Instance);
+        }
+      }
+    }
+  }
+
+  FaceRemainder::Point PointOf(std::int32_t instance)
+  {
+    return { &this->Points->Point(this->Points->Node(instance)), this->IdOfInstance(instance) };
+  }
+
+  /** Cut what the part in front of all planes leaves of a triangle into triangles. */
+  void AddRemainder(std::size_t polygon)
+  {
+    const std::int32_t face = this->PolygonFaces[polygon];
+    const std::array<std::int32_t, 3> vertices = this->Points->Corners(face);
+    std::array<ExactPoint, 3> places;
+    std::array<FaceRemainder::Point, 3> corners;
+    std::vector<FaceRemainder::Point> onEdges;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      places[k] = ExactPoint::Vertex(this->Points->Position(vertices[k]).data());
+      corners[k] = { &places[k], this->IdOfVertex(vertices[k]) };
+      const std::int32_t next = vertices[(k + 1) % 3];
+      const auto found =
+        this->PointsOnEdges.find({ std::min(vertices[k], next), std::max(vertices[k], next) });
+      for (std::size_t i = 0; found != this->PointsOnEdges.end() && i < found->second.size(); ++i)
+      {
+        onEdges.push_back(this->PointOf(found->second[i]));
+      }
+    }
+    this->Remainder.Cut(
+      corners, onEdges, this->PartOf(polygon, vertices, places), this->Result.Pieces);
+  }
+
+  /** The id of a triangle's corner; -1 where it lies in front of all planes. */
+  std::int32_t IdOfVertex(std::int32_t vertex)
+  {
+    const VertexSides::Word word = this->Sides.Of(vertex);
+    const bool isOnPlane =
+      (word & VertexSides::NotInFront) != 0 && (word & VertexSides::Behind) == 0;
+    return isOnPlane ? this->IdOfInstance(this->Points->AtVertex(vertex))
+                     : this->Result.PointMap[std::size_t(vertex)];
+  }
+
+  std::vector<FaceRemainder::Point> PartOf(std::size_t polygon,
+    const std::array<std::int32_t, 3>& vertices, const std::array<ExactPoint, 3>& places)
+  {
+    const std::size_t begin = polygon == 0 ? 0 : this->PolygonEnds[polygon - 1];
+    const std::size_t end = this->PolygonEnds[polygon];
+    std::vector<FaceRemainder::Point> part;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const FaceClip::Corner& corner = this->PolygonCorners[i];
+      const FaceClip::Corner& next = this->PolygonCorners[i + 1 == end ? begin : i + 1];
+      if (corner.Instance < 0)
+      {
+        const auto k =
+          std::find(vertices.begin(), vertices.end(), corner.Vertex) - vertices.begin();
+        part.push_back({ &places[std::size_t(k)], -1 });
+        continue;
+      }
+      part.push_back(this->PointOf(corner.Instance));
+      if (next.Instance >= 0)
+      {
+        this->SplitNodes.clear();
+        AppendSplit(this->Splits, this->Points->Node(corner.Instance),
+          this->Points->Node(next.Instance), this->SplitNodes);
+        for (std::size_t k = 1; k + 1 < this->SplitNodes.size(); ++k)
+        {
+          part.push_back(this->PointOf(this->Points->Instance(this->SplitNodes[k])));
+        }
+      }
+    }
+    return part;
+  }
+
+  const ClipRequest& Request;
+  const Surface& Mesh;
+  Executor& Threads;
+  Monitor& Listener;
+  std::chrono::steady_clock::time_point StageStart = std::chrono::steady_clock::now();
+  ClipResult Result;
+
+  Lattice Grid;
+  std::vector<HalfSpace> Planes;
+  VertexSides Sides;
+  std::vector<std::int32_t> Touched;
+  std::unique_ptr<ClipPoints> Points;
+  std::vector<Contour> Contours; ///< by plane
+  SplitSegments Splits;
+  std::vector<std::int32_t> PolygonFaces;
+  std::vector<FaceClip::Corner> PolygonCorners;
+  std::vector<std::size_t> PolygonEnds;
+  std::vector<std::array<std::int32_t, 3>> CapInstances;
+  std::vector<std::int32_t> IdOfInstances;
+  ConvexOutline Outline;
+  bool IsRest = false; ///< kept is what several planes leave, which is not convex
+  std::map<std::array<std::int32_t, 2>, std::vector<std::int32_t>> PointsOnEdges; ///< instances
+  FaceRemainder Remainder;
+  std::vector<std::int32_t> SplitNodes;
+};
+
+} // namespace
+
+ClipResult ClipSurface(const ClipRequest& request, Executor& executor, Monitor& monitor)
+{
+  return Clipper(request, executor, monitor).Run();
+}
+
+} // namespace sb
