@@ -4,8 +4,8 @@
 
     . build/env.sh && xvfb-run -a /usr/bin/python3 Screenshots/quammen_2011_figure_1.py
 
-Black is where the distance to the cylinder, computed at the cone's points and taken as linear between them, is zero; white
-is the intersection of the two surfaces. Thin lines are the cone's triangles.
+Black is where the distance to the cylinder, computed at the cone's points and taken as linear between them, is zero;
+white is the intersection of the two surfaces. Thin lines are the cone's triangles.
 """
 
 import pathlib

@@ -4,13 +4,13 @@
 
     . build/env.sh && pvpython Testing/Filters/section_6_1.py [section_6_1.pvsm]
 
-Surface Intersection cuts both surfaces along each other, Surface Distance says on which side of the other one every cell
-lies, two Thresholds keep what belongs to the result, Reverse Sense turns over what comes from inside (in a difference), and
-Append puts the two parts together. Prints both volumes for a cone and a cylinder; with a file name, it makes that state file
-instead (section_6_1.pvsm beside this script).
+Surface Intersection cuts both surfaces along each other, Surface Distance says on which side of the other one every
+cell lies, two Thresholds keep what belongs to the result, Reverse Sense turns over what comes from inside (in a
+difference), and Append puts the two parts together. Prints both volumes for a cone and a cylinder; with a file name, it
+makes that state file instead (section_6_1.pvsm beside this script).
 
-The Thresholds take the distances of the cells' centres instead of those of their points: on a cut all distances are zero,
-and a triangle may have all its points there.
+The Thresholds take the distances of the cells' centres instead of those of their points: on a cut all distances are
+zero, and a triangle may have all its points there.
 """
 
 import sys
@@ -43,14 +43,18 @@ def boolean_of_parts(first, second, operation, name="Section 6.1"):
         )
         parts.append(simple.ExtractSurface(registrationName=f"{name}: surface {port + 1}", Input=kept))
     if operation == "Difference":
-        parts[1] = simple.ReverseSense(registrationName=f"{name}: turned over", Input=parts[1], ReverseCells=1, ReverseNormals=1)
+        parts[1] = simple.ReverseSense(
+            registrationName=f"{name}: turned over", Input=parts[1], ReverseCells=1, ReverseNormals=1
+        )
     return simple.AppendGeometry(registrationName=f"{name}: result", Input=parts)
 
 
 def cone_and_cylinder():
     """The solids of the source document's Figure 1."""
     cone = simple.Cone(registrationName="Cone", Radius=0.5, Height=1.125, Resolution=96, Direction=[0, 0, 1])
-    cylinder = simple.Cylinder(registrationName="Cylinder", Radius=0.25, Height=1.25, Resolution=96, Center=[0, 0, -0.1875])
+    cylinder = simple.Cylinder(
+        registrationName="Cylinder", Radius=0.25, Height=1.25, Resolution=96, Center=[0, 0, -0.1875]
+    )
     return cone, cylinder
 
 
@@ -90,7 +94,8 @@ def main():
         whole = simple.SurfaceBoolean(Input=cone, Tool=cylinder, Operation=operation)
         volumes, apart = (volume(parts), volume(whole)), difference(parts, whole)
         same = same and apart == 0.0
-        print(f"{operation}: pipeline {volumes[0]:.12f}, Surface Boolean {volumes[1]:.12f}, in one but not both {apart:g}")
+        print(f"{operation}: pipeline {volumes[0]:.12f}, Surface Boolean {volumes[1]:.12f}, ", end="")
+        print(f"in one but not both {apart:g}")
     if not same:
         raise SystemExit("The pipeline and Surface Boolean differ.")
 

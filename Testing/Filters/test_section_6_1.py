@@ -32,7 +32,8 @@ def source(body):
     return producer
 
 
-PAIRS = {name: pair for name, pair in meshes.figure_5_pairs().items() if name != "cylinder-cylinder"}  # no common planes
+# Not the two cylinders, which have planes in common: there the distance is zero on both sides.
+PAIRS = {name: pair for name, pair in meshes.figure_5_pairs().items() if name != "cylinder-cylinder"}
 PAIRS["elephant and knot"] = (meshes.cgal_mesh("elephant"), meshes.moved(meshes.cgal_mesh("knot1"), (0.05, 0.02, 0.1)))
 
 
