@@ -4,9 +4,9 @@
 
     . build/env.sh && xvfb-run -a /usr/bin/python3 Screenshots/quammen_2011_figure_2.py
 
-Gray is the box in front, cut along the curve (green) in which it meets the box in the back (outline). The arrows are the
-normals in the result, one a point: gray at the corners, where the box came with three points each; orange where the curve
-crosses an edge of the box, and the filter made two points, with the interpolated normal of either side.
+Gray is the box in front, cut along the curve (green) in which it meets the box in the back (outline). The arrows are
+the normals in the result, one a point: gray at the corners, where the box came with three points each; orange where the
+curve crosses an edge of the box, and the filter made two points, with the interpolated normal of either side.
 """
 
 import pathlib

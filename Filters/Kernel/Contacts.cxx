@@ -135,17 +135,16 @@ std::array<bool, 3> CommonCorners(const Triangle& a, const Triangle& b)
   std::array<bool, 3> common;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    common[i] = std::any_of(std::begin(b.P), std::end(b.P), [&](const double* q) {
-      return a.P[i][0] == q[0] && a.P[i][1] == q[1] && a.P[i][2] == q[2];
-    });
+    common[i] = std::any_of(std::begin(b.P), std::end(b.P),
+      [&](const double* q) { return a.P[i][0] == q[0] && a.P[i][1] == q[1] && a.P[i][2] == q[2]; });
   }
   return common;
 }
 
 /**
- * Whether all corners of `b` that are not corners of `a` are off a's plane on one side: then the two
- * have but those corners in common, or the edge between them. Most pairs of one operand are such
- * neighbours, and the signs of their common corners, which are 0, need not be computed.
+ * Whether all corners of `b` that are not corners of `a` are off a's plane on one side: then the
+ * two have but those corners in common, or the edge between them. Most pairs of one operand are
+ * such neighbours, and the signs of their common corners, which are 0, need not be computed.
  */
 bool MeetInCornersOnly(const Triangle& a, const Triangle& b, const std::array<bool, 3>& commonOfB)
 {

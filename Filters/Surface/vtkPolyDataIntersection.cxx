@@ -220,7 +220,6 @@ void vtkPolyDataIntersection::Run::AddCurveArrays()
     }
   }
   this->Curves->GetCellData()->AddArray(ids);
-  this->Curves->GetCellData()->SetActiveScalars("CurveId"); // ParaView colours by it at once
   this->Curves->GetCellData()->AddArray(sources);
   // ParaView tells of no field data at all where one array in them has no tuple.
   if (!curves.Segments.empty())

@@ -4,7 +4,7 @@
 
 `prepare` is not timed: it turns the case's arrays into the element types that the contender takes without a copy.
 `update` is timed: it builds every structure anew, computes, and gives back (points, triangles, keep), where `keep`
-holds what shall be destroyed after the clock has stopped. Curves are given back as (points, (offsets, point ids), keep):
+holds what shall be destroyed after the clock has stopped. Curves are given back as (points, (offsets, ids), keep):
 polyline k is ids[offsets[k]:offsets[k + 1]]. Each contender is driven as its documentation shows.
 """
 

@@ -79,7 +79,7 @@ def test_two_equal_cylinders_meet_in_two_ellipses_that_cross_twice():
 
 
 def villarceau_torus(around, across):
-    """A torus of radii 25 and 15 with points exactly at (16, 0, 12) and (-16, 0, -12), where the plane 3x = 4z touches it."""
+    """A torus of radii 25 and 15 with points exactly where the plane 3x = 4z touches it, (16, 0, 12) and (-16, 0, -12)."""
     tilt = np.arctan2(4, -3)
     tube = np.concatenate([np.linspace(-tilt, tilt, across, endpoint=False)])
     tube = np.concatenate([tube, np.linspace(tilt, 2 * np.pi - tilt, across, endpoint=False)])
@@ -152,7 +152,10 @@ def bumpy(seed, level=4):
 PAIRS = {
     "bumpy": lambda: (bumpy(1), meshes.turned(bumpy(2), meshes.rotation((1, 2, 3), 0.4))),
     "boxes": lambda: (CUBE, box((1, 1, 2), (3, 5, 4))),
-    "elephant and cow": lambda: (meshes.cgal_mesh("elephant"), meshes.moved(meshes.cgal_mesh("cow"), (0.1, 0.05, 0.02))),
+    "elephant and cow": lambda: (
+        meshes.cgal_mesh("elephant"),
+        meshes.moved(meshes.cgal_mesh("cow"), (0.1, 0.05, 0.02)),
+    ),
     "bones and knot": lambda: (meshes.cgal_mesh("bones"), meshes.moved(meshes.cgal_mesh("knot1"), (0.02, 0.01, 0.03))),
 }
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What vtkPolyDataIntersection promises around the computation: its settings, what it says of input that it cannot use, and
-how paraview.simple and the menus know it."""
+"""What vtkPolyDataIntersection promises around the computation: its settings, what it says of input that it cannot use,
+and how paraview.simple and the menus know it."""
 
 import numpy as np
 import pytest

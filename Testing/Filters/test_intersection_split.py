@@ -42,7 +42,8 @@ def real_pair():
 def general_pairs():
     rng = np.random.default_rng(5)
     bumpy = meshes.bumpy_sphere(rng, 4), meshes.turned(meshes.bumpy_sphere(rng, 4), meshes.rotation((1, 2, 3), 0.4))
-    return {"spheres": (meshes.sphere(), meshes.moved(meshes.sphere(), (0.3, 0.2, 0.1))), "bumpy": bumpy, "real": real_pair()}
+    spheres = meshes.sphere(), meshes.moved(meshes.sphere(), (0.3, 0.2, 0.1))
+    return {"spheres": spheres, "bumpy": bumpy, "real": real_pair()}
 
 
 @pytest.fixture(scope="module", params=("spheres", "bumpy", "real"))
@@ -72,7 +73,7 @@ def test_cutting_preserves_area_volume_and_closedness(pair):
 
 
 def test_the_pieces_of_a_cell_fill_that_cell(pair):
-    """Merging them back gives the same surface: cell by cell the area, the plane and the orientation are those of the cell."""
+    """Merging them back gives the same surface: area, plane and orientation are those of the cell."""
     surfaces, cut = pair
     for split, body in zip(cut.splits, surfaces):
         def area_vectors(points, triangles):
@@ -223,7 +224,8 @@ def test_triangles_without_common_points_hang_together_in_patches():
 def test_strips_become_triangles():
     points = np.array([[x, y, 0] for x in range(5) for y in (0, 1)], dtype=float)
     strips = vtkCellArray()
-    strips.SetData(numpy_to_vtkIdTypeArray(np.array([0, 10]), deep=True), numpy_to_vtkIdTypeArray(np.arange(10), deep=True))
+    offsets, ids = np.array([0, 10]), np.arange(10)
+    strips.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True), numpy_to_vtkIdTypeArray(ids, deep=True))
     band = vtkPolyData()
     band.SetPoints(vtkPoints())
     band.GetPoints().SetData(numpy_to_vtk(points, deep=True))
