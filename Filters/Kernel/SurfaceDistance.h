@@ -31,6 +31,7 @@
 #include "SurfaceSide.h"
 #include "VertexFans.h"
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -65,6 +66,9 @@ public:
   SurfaceDistance(const Surface& surface, bool closed, bool insideOut, Executor& executor);
 
   bool IsEmpty() const { return this->Tree.IsEmpty(); }
+
+  /** The box of all triangles: xmin xmax ymin ymax zmin zmax. */
+  std::array<double, 6> Bounds() const { return this->Tree.Bounds(); }
 
   /**
    * The distance at one point. `guess` is a triangle that is probably near, or -1. Beyond `limit`
