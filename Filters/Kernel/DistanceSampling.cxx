@@ -20,7 +20,7 @@ constexpr std::int64_t Grain = 8192;
 constexpr int BitsAnAxis = 10;
 /** So many neighbours along the curve share guesses; the next ones start anew. */
 constexpr std::int64_t RunLength = 512;
-constexpr std::int64_t RunsBetweenReports = 256;
+constexpr std::int64_t RunsBetweenReports = 64;
 
 /** Spread the 10 lowest bits so that two zeros follow each. */
 std::uint32_t Spread(std::uint32_t bits)
@@ -145,6 +145,12 @@ bool SampleDistances(const SurfaceDistance& surface, const DistanceRequest& requ
   for (std::int64_t first = 0; first < runs && !stopped; first += RunsBetweenReports)
   {
     monitor.Progress(static_cast<double>(first) / static_cast<double>(runs), "Distances");
+    // Some hosts hear of a stop in this thread only, which need not take part in the loop.
+    stopped = monitor.Aborted();
+    if (stopped)
+    {
+      break;
+    }
     executor.For(std::min(RunsBetweenReports, runs - first), 1,
       [&](std::int64_t firstRun, std::int64_t lastRun) {
         for (std::int64_t run = first + firstRun; run < first + lastRun && !stopped; ++run)

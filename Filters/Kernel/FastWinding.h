@@ -9,7 +9,7 @@
  * gently across holes (Jacobson, Kavan, Sorkine-Hornung, Robust Inside-Outside Segmentation using
  * Generalized Winding Numbers, 2013). Near triangles count by their solid angle, groups of far ones
  * by a dipole and its first derivative (Barill, Dickson, Schmidt, Levin, Jacobson, Fast Winding
- * Numbers for Soups and Clouds, 2018), so that it is not exact: off by less than 0.01.
+ * Numbers for Soups and Clouds, 2018), so that it is not exact: off by less than 0.05.
  */
 #ifndef sb_FastWinding_h
 #define sb_FastWinding_h

@@ -345,7 +345,7 @@ NearestTriangle::Answer NearestTriangle::Find(
   Answer best;
   const double reach = limit * this->FrameScale;
   best.SquaredDistance = reach * reach;
-  if (this->IsEmpty())
+  if (this->IsEmpty() || !std::isfinite(query.X + query.Y + query.Z))
   {
     return best;
   }
@@ -367,7 +367,7 @@ NearestTriangle::Answer NearestTriangle::Find(
     Search<double> search(query, inFrame, DoubleSlack * (1.0 + size), best.SquaredDistance);
     this->Descend<FarBoxes>(search, best);
   }
-  else if (size <= std::numeric_limits<double>::max())
+  else
   {
     const double nearer = 0.5 * VeryFarAway / size;
     const Answer along =

@@ -67,6 +67,13 @@ public:
   /** The corners of a triangle relative to `query`, times Scale(). */
   std::array<Vector3, 3> CornersFrom(const Vector3& query, std::int32_t triangle) const;
 
+  /** The box of all triangles: xmin xmax ymin ymax zmin zmax. */
+  std::array<double, 6> Bounds() const
+  {
+    return { this->LowerBounds[0], this->UpperBounds[0], this->LowerBounds[1], this->UpperBounds[1],
+      this->LowerBounds[2], this->UpperBounds[2] };
+  }
+
   /** Whether a point lies outside of the box of all triangles. */
   bool IsOutsideBounds(const Vector3& point) const;
 

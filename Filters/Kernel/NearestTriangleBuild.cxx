@@ -70,11 +70,8 @@ std::int64_t SplitRange(std::vector<Middle>& middles, const Range& range)
   const std::int64_t middle = range.Begin + units / 2 * unit;
   const auto at = [&middles](
                     std::int64_t i) { return middles.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(
-    at(range.Begin), at(middle), at(range.End), [longest](const Middle& a, const Middle& b) {
-      return a.Place[longest] < b.Place[longest] ||
-        (a.Place[longest] == b.Place[longest] && a.Triangle < b.Triangle);
-    });
+  std::nth_element(at(range.Begin), at(middle), at(range.End),
+    [longest](const Middle& a, const Middle& b) { return a.Place[longest] < b.Place[longest]; });
   return middle;
 }
 

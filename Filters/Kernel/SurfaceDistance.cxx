@@ -42,9 +42,14 @@ double SurfaceDistance::Sign(
   {
     return this->SignOutside;
   }
-  if (rule == SignRule::WindingNumber || nearest.Triangle < 0)
+  if (rule == SignRule::WindingNumber)
   {
     return this->SignOfWinding(query);
+  }
+  if (nearest.Triangle < 0) // beyond the limit there is a side all the same
+  {
+    constexpr double everywhere = std::numeric_limits<double>::infinity();
+    return this->Sign(query, rule, this->Tree.Find(query, everywhere, -1));
   }
   const Side side = this->Sides.Find(query, nearest);
   if (side != Side::Undecided)

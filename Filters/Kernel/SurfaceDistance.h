@@ -31,6 +31,7 @@
 #include "SurfaceSide.h"
 #include "VertexFans.h"
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -66,10 +67,14 @@ public:
 
   bool IsEmpty() const { return this->Tree.IsEmpty(); }
 
+  /** The box of all triangles: xmin xmax ymin ymax zmin zmax. */
+  std::array<double, 6> Bounds() const { return this->Tree.Bounds(); }
+
   /**
    * The distance at one point. `guess` is a triangle that is probably near, or -1. Beyond `limit`
-   * there is no nearest triangle; the distance is then the limit, with a sign only as far as that
-   * is told by the winding number or the box. Thread-safe.
+   * there is no nearest triangle; the distance is then the limit, with the sign that it has without
+   * one (so that a limit saves time only where no sign is asked for, and outside of the box of a
+   * closed surface). Thread-safe.
    */
   Answer At(const Vector3& query, SignRule rule, std::int32_t guess = -1,
     double limit = std::numeric_limits<double>::infinity()) const;

@@ -36,6 +36,8 @@ public:
   /** Beside the numbers of sb::Status. */
   enum StatusType
   {
+    NOT_A_SURFACE = 20, ///< error: an input of another kind
+    OUT_OF_MEMORY = 22, ///< error: the result does not fit into memory
     EMPTY_SURFACE = 30, ///< error: nothing to be near to
     POINTS_NOT_FINITE = 31, ///< warning: some points have no distance
     SIGNS_CONTRADICT = 32 ///< warning: neighbouring polygons are oriented against each other

@@ -58,15 +58,16 @@ DOUBLING_LIMIT = 2.3
 class Worker:
     """One contender at one case: its process, its measurements, or why it is out."""
 
-    def __init__(self, name, environment, directory):
+    def __init__(self, name, environment, directory, script="worker.py"):
         command = [sys.executable]
-        if name in ("ours", "vtk-packaged"):  # Debian's Python sees ParaView's VTK, which must not meet the peer's VTK
+        # Debian's Python sees ParaView's VTK, which must not meet the peer's VTK.
+        if name.startswith("ours") or "packaged" in name:
             command = ["sh", "-c", '. "$0" && exec /usr/bin/python3 "$@"', str(environment.resolve())]
         self.name, self.log = name, directory / f"{name}.log"
         self.facts, self.runs, self.moved, self.trouble = {}, [], [], None
         with open(self.log, "w") as log:
             self.process = subprocess.Popen(
-                [*command, str(HERE / "worker.py"), name, str(directory)],
+                [*command, str(HERE / script), name, str(directory)],
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=log,

@@ -76,6 +76,11 @@ class VTK(VTKDistance):
 
         self.filter_class = vtkDistancePolyDataFilter
 
+    def cloud(self):
+        cloud = super().cloud()
+        cloud.SetPolys(self.surface(*self.native(self.queries, np.array([[0, 1, 2]]))).GetPolys())  # it wants a cell
+        return cloud
+
     def configure(self, filter):
         filter.ComputeSecondDistanceOff()
         filter.ComputeCellCenterDistanceOff()
@@ -119,7 +124,7 @@ class Open3D(Contender):
     signed = True
 
     def __init__(self):
-        folder = Path(importlib.util.find_spec("open3d").origin).parent / "cpu"
+        folder = Path(importlib.util.find_spec("open3d").origin).parent
         spec = importlib.util.spec_from_file_location("pybind", next(folder.glob("pybind*.so")))
         self.module = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(self.module)

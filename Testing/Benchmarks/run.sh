@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # What `make bench` runs: installs the peers into bench-venv in the build directory, of which nothing else in the project
-# knows, and compares. PEERS=all adds the peers whose licences allow non-commercial use only. Arguments go to compare.py.
+# knows, and compares. PEERS=all adds the peers whose licences allow non-commercial use only. Arguments go to compare.py and compare_distances.py.
 set -eu
 
 here=$(dirname "$(readlink -f "$0")")
@@ -29,6 +29,13 @@ fi
 # shellcheck disable=SC2086 # each word of it is an argument of its own
 "$venv/bin/python" -m pip install --quiet --disable-pip-version-check --no-deps $requirements
 
+if ! ldconfig -p | grep -q libusb-1.0; then
+  echo "Open3D cannot take part: it wants the package libusb-1.0-0." >&2
+fi
+
 PYTHONDONTWRITEBYTECODE=1
 export PYTHONDONTWRITEBYTECODE
-exec "$venv/bin/python" "$here/compare.py" "$@"
+status=0
+"$venv/bin/python" "$here/compare.py" "$@" || status=$?
+"$venv/bin/python" "$here/compare_distances.py" "$@" || { second=$?; [ "$status" -eq 0 ] && status=$second; }
+exit "$status"

@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the distance filter and the implicit function on meshes."""
 
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.vtkConstants import VTK_STRING
+
 from booleans import arrays_of, polydata
 from meshes import Mesh, mesh
 from surfacebooleans.vtk import vtkImplicitPolyData, vtkPolyDataDistance
@@ -20,11 +23,35 @@ def as_data(body):
 
 def distance_filter(points, tool, **settings):
     """The filter, updated; `settings` go to its setters."""
-    tested = vtkPolyDataDistance()
+    tested = prepared(vtkPolyDataDistance(), settings, points, tool)
+    tested.Update()
+    return tested
+
+
+def prepared(tested, settings, *inputs):
     for name, value in settings.items():
         getattr(tested, "Set" + name)(value)
-    tested.SetInputDataObject(0, as_data(points))
-    tested.SetInputDataObject(1, as_data(tool))
+    for port, data in enumerate(inputs):
+        if data is not None:
+            tested.SetInputDataObject(port, as_data(data))
+    return tested
+
+
+def quietly(points, tool, **settings):
+    """As distance_filter, with what it says in `heard` and not on the screen."""
+    return listened_to(prepared(vtkPolyDataDistance(), settings, points, tool))
+
+
+def listened_to(tested):
+    tested.heard = {"ErrorEvent": [], "WarningEvent": []}
+
+    @calldata_type(VTK_STRING)
+    def listen(_, event, text):
+        tested.heard[event].append(text)
+
+    for watched in (tested, tested.GetExecutive()):
+        for event in tested.heard:
+            watched.AddObserver(event, listen)
     tested.Update()
     return tested
 
