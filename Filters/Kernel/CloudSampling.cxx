@@ -45,7 +45,7 @@ void SampleOne(const MovingLeastSquares& surface, const double* point, std::int6
   if (arrays.MaximumCurvature && arrays.MinimumCurvature)
   {
     const SurfaceCurvature curvature =
-      reached ? CurvatureOf(surface.EvaluateAt(x, 2, near)) : SurfaceCurvature{ none, none };
+      reached ? CurvatureOf(surface.EvaluateNear(x, 2, near)) : SurfaceCurvature{ none, none };
     arrays.MaximumCurvature[i] = curvature.Maximum;
     arrays.MinimumCurvature[i] = curvature.Minimum;
   }

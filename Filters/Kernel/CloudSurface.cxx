@@ -16,6 +16,7 @@ namespace
 
 constexpr std::int32_t FewestPoints = 6;
 constexpr double WidthInSpacings = 3.0;
+constexpr double NeighboursAtThat = 16.0; ///< that planes are fitted to; a larger width takes more
 constexpr std::int64_t Grain = 1 << 14;
 
 /** All steps and what they share. */
@@ -141,7 +142,13 @@ private:
 
   CloudStatus Estimate()
   {
-    const EstimatedNormals estimated = EstimateNormals(*this->Tree, this->Threads, this->Watch);
+    const double widths = this->Request.Width > 0.0
+      ? this->Request.Width / (WidthInSpacings * this->Cloud.Spacing)
+      : 1.0;
+    const int neighbours =
+      static_cast<int>(std::clamp(NeighboursAtThat * widths * widths, NeighboursAtThat, 64.0));
+    const EstimatedNormals estimated =
+      EstimateNormals(*this->Tree, neighbours, this->Threads, this->Watch);
     if (estimated.Aborted)
     {
       return CloudStatus::Aborted;

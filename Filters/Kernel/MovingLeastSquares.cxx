@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MovingLeastSquares.h"
 
+#include "Lanes.h"
+
 #include <algorithm>
 
 namespace sb
@@ -15,32 +17,10 @@ constexpr double LargestOffset = 0.5; ///< of the samples' mean along the surfac
 constexpr double MarginOfIterations = 0.35; ///< in h: most projections stay within it
 const double OneOverRootThree = 1.0 / std::sqrt(3.0);
 
-/** Weight and its first two derivatives by the squared distance. */
-struct WeightValue
-{
-  double W0;
-  double W1;
-  double W2;
-};
-
+/** (1 - squared / R^2)^4 up to R. */
 struct CompactWeight
 {
   double InverseSquaredReach;
-
-  double At(double squared) const
-  {
-    const double left = 1.0 - squared * this->InverseSquaredReach;
-    const double t = left > 0.0 ? left : 0.0;
-    return (t * t) * (t * t);
-  }
-  WeightValue All(double squared) const
-  {
-    const double left = 1.0 - squared * this->InverseSquaredReach;
-    const double t = left > 0.0 ? left : 0.0;
-    const double t2 = t * t;
-    return { t2 * t2, -4.0 * this->InverseSquaredReach * t2 * t,
-      12.0 * this->InverseSquaredReach * this->InverseSquaredReach * t2 };
-  }
 };
 
 /** Cut where it has fallen below 2e-9, so that the function has no step that its curvature shows.
@@ -54,21 +34,16 @@ struct GaussianWeight
   {
     return squared < this->SquaredReach ? std::exp(-squared * this->InverseSquaredWidth) : 0.0;
   }
-  WeightValue All(double squared) const
-  {
-    const double w = this->At(squared);
-    return { w, -w * this->InverseSquaredWidth,
-      w * this->InverseSquaredWidth * this->InverseSquaredWidth };
-  }
 };
 
 /** Six sums of products of coordinates, read as a matrix. */
+template <class Number>
 struct SymmetricSum
 {
-  double XX = 0.0, XY = 0.0, XZ = 0.0, YY = 0.0, YZ = 0.0, ZZ = 0.0;
+  Number XX{}, XY{}, XZ{}, YY{}, YZ{}, ZZ{};
 
   /** Add factor * d d^T. */
-  void Add(double factor, double x, double y, double z)
+  void Add(Number factor, Number x, Number y, Number z)
   {
     this->XX += factor * x * x;
     this->XY += factor * x * y;
@@ -79,7 +54,7 @@ struct SymmetricSum
   }
 
   /** With `diagonal` added to each element of the diagonal. */
-  Real3x3 PlusDiagonal(double diagonal) const
+  Real3x3 PlusDiagonal(Number diagonal) const
   {
     return { { { this->XX + diagonal, this->XY, this->XZ },
       { this->XY, this->YY + diagonal, this->YZ }, { this->XZ, this->YZ, this->ZZ + diagonal } } };
@@ -168,6 +143,153 @@ void DivideByWeights(double w, const Real3& wb, const Real3x3& wbc, int order, S
   f.Value *= scale;
 }
 
+SymmetricSum<double> SumOf(const SymmetricSum<Lanes>& m)
+{
+  return { Sum(m.XX), Sum(m.XY), Sum(m.XZ), Sum(m.YY), Sum(m.YZ), Sum(m.ZZ) };
+}
+
+/** What one pass over the neighbours gives; the rows from WB on for the gradient. */
+struct FirstSums
+{
+  double Neighbours = 0.0;
+  double W = 0.0;
+  double K = 0.0;
+  Real3 B{};
+  Real3 N{};
+  Real3 WB{}; ///< sum th_b
+  Real3 KB{}; ///< sum th_b (v . d)
+  Real3x3 NB{}; ///< sum v_a th_b
+  SymmetricSum<double> Spread; ///< sum th_b d_a, without W on its diagonal
+};
+
+template <int Order>
+FirstSums SumFirst(
+  const Real3& x, const double* const rows[6], std::size_t count, const CompactWeight& weight)
+{
+  using Lanes3 = std::array<Lanes, 3>;
+  const Lanes zero = Both(0.0);
+  Lanes neighbours = zero, w = zero, k = zero;
+  Lanes3 b{ zero, zero, zero }, n = b, wb = b, kb = b;
+  std::array<Lanes3, 3> nb{ b, b, b };
+  SymmetricSum<Lanes> spread{ zero, zero, zero, zero, zero, zero };
+  const Lanes inverse = Both(weight.InverseSquaredReach);
+  const Lanes slope = Both(-8.0 * weight.InverseSquaredReach); // of th by d, without t^3
+  for (std::size_t i = 0; i < count; i += 2)
+  {
+    const Lanes3 d{ Both(x[0]) - Load(rows[0] + i), Both(x[1]) - Load(rows[1] + i),
+      Both(x[2]) - Load(rows[2] + i) };
+    const Lanes3 v{ Load(rows[3] + i), Load(rows[4] + i), Load(rows[5] + i) };
+    const Lanes left = Both(1.0) - (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) * inverse;
+    const Lanes t = PositivePart(left);
+    const Lanes t2 = t * t;
+    const Lanes th = t2 * t2;
+    const Lanes height = d[0] * v[0] + d[1] * v[1] + d[2] * v[2];
+    neighbours += IsPositive(left);
+    w += th;
+    k += th * height;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      b[a] += th * d[a];
+      n[a] += th * v[a];
+    }
+    if constexpr (Order > 0)
+    {
+      const Lanes steep = slope * t2 * t;
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        const Lanes thc = steep * d[c];
+        wb[c] += thc;
+        kb[c] += thc * height;
+        for (std::size_t a = 0; a < 3; ++a)
+        {
+          nb[a][c] += v[a] * thc;
+        }
+      }
+      spread.Add(steep, d[0], d[1], d[2]);
+    }
+  }
+  FirstSums sums;
+  sums.Neighbours = Sum(neighbours);
+  sums.W = Sum(w);
+  sums.K = Sum(k);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    sums.B[a] = Sum(b[a]);
+    sums.N[a] = Sum(n[a]);
+    sums.WB[a] = Sum(wb[a]);
+    sums.KB[a] = Sum(kb[a]);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      sums.NB[a][c] = Sum(nb[a][c]);
+    }
+  }
+  sums.Spread = SumOf(spread);
+  return sums;
+}
+
+/** Sums with the second derivatives of the weights. */
+struct SecondSums
+{
+  Real3x3 OfF; ///< sum number th_bc
+  Real3x3 OfW; ///< sum th_bc
+};
+
+/** @param contraction, n the number of a sample is contraction . v + d . (n + v). */
+SecondSums SumSecond(const Real3& x, const double* const rows[6], std::size_t count,
+  const CompactWeight& weight, const Real3& contraction, const Real3& n)
+{
+  const Lanes zero = Both(0.0);
+  SymmetricSum<Lanes> ofF{ zero, zero, zero, zero, zero, zero };
+  SymmetricSum<Lanes> ofW = ofF;
+  Lanes diagonalOfF = zero, diagonalOfW = zero;
+  const Lanes inverse = Both(weight.InverseSquaredReach);
+  const Lanes slope = Both(-8.0 * weight.InverseSquaredReach);
+  const Lanes bend = Both(48.0 * weight.InverseSquaredReach * weight.InverseSquaredReach);
+  for (std::size_t i = 0; i < count; i += 2)
+  {
+    std::array<Lanes, 3> d;
+    Lanes number = zero;
+    Lanes squared = zero;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const Lanes v = Load(rows[3 + a] + i);
+      d[a] = Both(x[a]) - Load(rows[a] + i);
+      squared += d[a] * d[a];
+      number += Both(contraction[a]) * v + d[a] * (Both(n[a]) + v);
+    }
+    const Lanes t = PositivePart(Both(1.0) - squared * inverse);
+    const Lanes t2 = t * t;
+    const Lanes second = bend * t2;
+    const Lanes first = slope * t2 * t;
+    ofW.Add(second, d[0], d[1], d[2]);
+    ofF.Add(second * number, d[0], d[1], d[2]);
+    diagonalOfW += first;
+    diagonalOfF += first * number;
+  }
+  return { SumOf(ofF).PlusDiagonal(Sum(diagonalOfF)), SumOf(ofW).PlusDiagonal(Sum(diagonalOfW)) };
+}
+
+/** The terms of the Hessian of F with first derivatives of two things: n_b . B_c + n_c . B_b, and
+ * what second derivatives of sums over d leave over. */
+void AddMixed(
+  const NormalField& field, const FirstSums& sums, const Real3x3& derivativeOfB, Real3x3& hessian)
+{
+  for (std::size_t r = 0; r < 3; ++r)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      double mixed =
+        sums.WB[r] * field.Unit[c] + sums.WB[c] * field.Unit[r] + sums.NB[c][r] + sums.NB[r][c];
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        mixed += field.Derivative[a][r] * derivativeOfB[a][c] +
+          field.Derivative[a][c] * derivativeOfB[a][r];
+      }
+      hessian[r][c] += mixed;
+    }
+  }
+}
+
 /** @param mean the weighted mean of d, @param height its part along n */
 Support Judge(double length, double weights, const Real3& mean, const Real3& n, double h)
 {
@@ -218,7 +340,7 @@ void MovingLeastSquares::Gather(const Real3& x, double margin, Neighbourhood& ne
   const double* const pz = this->Tree->Axis(2);
   this->Tree->ForRangesWithin(x, radius, [&](std::int32_t begin, std::int32_t end) {
     const std::size_t needed = count + static_cast<std::size_t>(end - begin);
-    if (needed > near.Capacity)
+    if (needed + 1 > near.Capacity)
     {
       const std::size_t capacity = 2 * needed;
       std::vector<double> larger(9 * capacity);
@@ -247,6 +369,14 @@ void MovingLeastSquares::Gather(const Real3& x, double margin, Neighbourhood& ne
     }
   });
   near.Count = static_cast<std::int32_t>(count);
+  if (count % 2 == 1) // one more, out of reach, so that two at a time can be summed
+  {
+    const double far[6] = { x[0] + 2.0 * radius, x[1], x[2], 0.0, 0.0, 0.0 };
+    for (std::size_t row = 0; row < 6; ++row)
+    {
+      near.Row(row)[count] = far[row];
+    }
+  }
 }
 
 SurfaceValue MovingLeastSquares::Evaluate(const Real3& x, int order, Neighbourhood& near) const
@@ -257,147 +387,74 @@ SurfaceValue MovingLeastSquares::Evaluate(const Real3& x, int order, Neighbourho
   }
   if (this->Kind == SurfaceDefinition::AmentaKil)
   {
-    return this->EvaluateAmentaKil(
-      x, order, near, GaussianWeight{ 1.0 / (this->H * this->H), this->R * this->R });
+    return this->EvaluateAmentaKil(x, order, near);
   }
-  return this->EvaluateUnbiased(x, order, near, CompactWeight{ 1.0 / (this->R * this->R) });
+  return this->EvaluateUnbiased(x, order, near);
 }
 
 /** F = n . B + K with B = sum th d and K = sum th v . d. */
-template <class Weight>
 SurfaceValue MovingLeastSquares::EvaluateUnbiased(
-  const Real3& x, int order, Neighbourhood& near, const Weight& weight) const
+  const Real3& x, int order, Neighbourhood& near) const
 {
   const std::size_t count = static_cast<std::size_t>(near.Count);
-  const double* const qx = near.Row(0);
-  const double* const qy = near.Row(1);
-  const double* const qz = near.Row(2);
-  const double* const vx = near.Row(3);
-  const double* const vy = near.Row(4);
-  const double* const vz = near.Row(5);
-
-  double w = 0.0, k = 0.0;
-  std::int32_t neighbours = 0;
-  Real3 b{}, n{}, wb{}, kb{};
-  SymmetricSum spread; // sum th_b d_a, without W on its diagonal
-  Real3x3 nb{};
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const double dx = x[0] - qx[i];
-    const double dy = x[1] - qy[i];
-    const double dz = x[2] - qz[i];
-    const WeightValue th = weight.All(dx * dx + dy * dy + dz * dz);
-    const double height = dx * vx[i] + dy * vy[i] + dz * vz[i];
-    neighbours += th.W0 > 0.0 ? 1 : 0;
-    w += th.W0;
-    b[0] += th.W0 * dx;
-    b[1] += th.W0 * dy;
-    b[2] += th.W0 * dz;
-    n[0] += th.W0 * vx[i];
-    n[1] += th.W0 * vy[i];
-    n[2] += th.W0 * vz[i];
-    k += th.W0 * height;
-    if (order > 0)
-    {
-      const double tx = 2.0 * th.W1 * dx;
-      const double ty = 2.0 * th.W1 * dy;
-      const double tz = 2.0 * th.W1 * dz;
-      wb[0] += tx;
-      wb[1] += ty;
-      wb[2] += tz;
-      kb[0] += tx * height;
-      kb[1] += ty * height;
-      kb[2] += tz * height;
-      nb[0][0] += vx[i] * tx;
-      nb[0][1] += vx[i] * ty;
-      nb[0][2] += vx[i] * tz;
-      nb[1][0] += vy[i] * tx;
-      nb[1][1] += vy[i] * ty;
-      nb[1][2] += vy[i] * tz;
-      nb[2][0] += vz[i] * tx;
-      nb[2][1] += vz[i] * ty;
-      nb[2][2] += vz[i] * tz;
-      spread.Add(2.0 * th.W1, dx, dy, dz);
-    }
-  }
+  const double* const rows[6] = { near.Row(0), near.Row(1), near.Row(2), near.Row(3), near.Row(4),
+    near.Row(5) };
+  const CompactWeight weight{ 1.0 / (this->R * this->R) };
+  const FirstSums sums =
+    order > 0 ? SumFirst<1>(x, rows, count, weight) : SumFirst<0>(x, rows, count, weight);
+  const double w = sums.W;
+  const Real3& b = sums.B;
+  const Real3& n = sums.N;
   SurfaceValue f;
-  if (neighbours < FewestNeighbours)
+  if (sums.Neighbours < FewestNeighbours)
   {
     return f;
   }
-  const NormalField field(n, nb);
+  const NormalField field(n, sums.NB);
   f.IsNear = true;
   f.Where = Judge(field.Length, w, Scaled(b, 1.0 / w), field.Unit, this->H);
-  f.Value = Dot(field.Unit, b) + k;
+  f.Value = Dot(field.Unit, b) + sums.K;
   Real3x3 wbc{};
   if (order > 0)
   {
-    const Real3x3 bb = spread.PlusDiagonal(w);
-    const Real3 first = TransposeTimes(field.Derivative, b);
-    const Real3 second = TransposeTimes(bb, field.Unit);
+    const Real3x3 bb = sums.Spread.PlusDiagonal(w);
+    const Real3 ofNormal = TransposeTimes(field.Derivative, b);
+    const Real3 ofMean = TransposeTimes(bb, field.Unit);
     for (std::size_t c = 0; c < 3; ++c)
     {
-      f.Gradient[c] = first[c] + second[c] + kb[c] + n[c];
+      f.Gradient[c] = ofNormal[c] + ofMean[c] + sums.KB[c] + n[c];
     }
     if (order > 1)
     {
       // Second derivatives of the weights enter F only contracted: sum th_bc times one number a
       // sample.
-      const Real3 contraction = field.Contraction(b);
-      SymmetricSum ofF, ofW;
-      double diagonalOfF = 0.0, diagonalOfW = 0.0;
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        const double dx = x[0] - qx[i];
-        const double dy = x[1] - qy[i];
-        const double dz = x[2] - qz[i];
-        const WeightValue th = weight.All(dx * dx + dy * dy + dz * dz);
-        const double number = contraction[0] * vx[i] + contraction[1] * vy[i] +
-          contraction[2] * vz[i] + dx * (field.Unit[0] + vx[i]) + dy * (field.Unit[1] + vy[i]) +
-          dz * (field.Unit[2] + vz[i]);
-        ofF.Add(4.0 * th.W2 * number, dx, dy, dz);
-        diagonalOfF += 2.0 * th.W1 * number;
-        ofW.Add(4.0 * th.W2, dx, dy, dz);
-        diagonalOfW += 2.0 * th.W1;
-      }
-      f.Hessian = ofF.PlusDiagonal(diagonalOfF);
-      wbc = ofW.PlusDiagonal(diagonalOfW);
-      field.AddContracted(b, nb, f.Hessian);
-      for (std::size_t r = 0; r < 3; ++r)
-      {
-        for (std::size_t c = 0; c < 3; ++c)
-        {
-          double crossed = 0.0;
-          for (std::size_t a = 0; a < 3; ++a)
-          {
-            crossed += field.Derivative[a][r] * bb[a][c] + field.Derivative[a][c] * bb[a][r];
-          }
-          f.Hessian[r][c] +=
-            crossed + wb[r] * field.Unit[c] + wb[c] * field.Unit[r] + nb[c][r] + nb[r][c];
-        }
-      }
+      const SecondSums second = SumSecond(x, rows, count, weight, field.Contraction(b), field.Unit);
+      wbc = second.OfW;
+      f.Hessian = second.OfF;
+      field.AddContracted(b, sums.NB, f.Hessian);
+      AddMixed(field, sums, bb, f.Hessian);
     }
   }
-  DivideByWeights(w, wb, wbc, order, f);
+  DivideByWeights(w, sums.WB, wbc, order, f);
   return f;
 }
 
 /** F = g = sum th (2 u - c u^3) with u = d . n and c = 2 / h^2 (the gradient of Eq. 4 along n). */
-template <class Weight>
 SurfaceValue MovingLeastSquares::EvaluateAmentaKil(
-  const Real3& x, int order, Neighbourhood& near, const Weight& weight) const
+  const Real3& x, int order, Neighbourhood& near) const
 {
   const std::size_t count = static_cast<std::size_t>(near.Count);
   const double* const q[3] = { near.Row(0), near.Row(1), near.Row(2) };
   const double* const v[3] = { near.Row(3), near.Row(4), near.Row(5) };
   double* const weights = near.Row(6);
+  const GaussianWeight weight{ 1.0 / (this->H * this->H), this->R * this->R };
   const double slope = -weight.InverseSquaredWidth; // first derivative of a weight, by the weight
 
   double w = 0.0;
   std::int32_t neighbours = 0;
   Real3 b{}, n{}, wb{};
   Real3x3 nb{};
-  SymmetricSum spread;
+  SymmetricSum<double> spread;
   for (std::size_t i = 0; i < count; ++i)
   {
     const Real3 d{ x[0] - q[0][i], x[1] - q[1][i], x[2] - q[2][i] };

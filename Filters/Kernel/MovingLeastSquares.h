@@ -92,6 +92,16 @@ public:
    */
   SurfaceValue Evaluate(const Real3& x, int order, Neighbourhood& near) const;
 
+  /** The same, gathering if the neighbourhood does not do for x. */
+  SurfaceValue EvaluateNear(const Real3& x, int order, Neighbourhood& near) const
+  {
+    if (!(Length(Difference(x, near.Centre)) <= near.Margin))
+    {
+      this->Gather(x, 0.0, near);
+    }
+    return this->Evaluate(x, order, near);
+  }
+
   /** The same, gathering first. */
   SurfaceValue EvaluateAt(const Real3& x, int order, Neighbourhood& near) const
   {
@@ -124,12 +134,8 @@ public:
   Real3 SampleNormal(std::int32_t i) const;
 
 private:
-  template <class Weight>
-  SurfaceValue EvaluateUnbiased(
-    const Real3& x, int order, Neighbourhood& near, const Weight& weight) const;
-  template <class Weight>
-  SurfaceValue EvaluateAmentaKil(
-    const Real3& x, int order, Neighbourhood& near, const Weight& weight) const;
+  SurfaceValue EvaluateUnbiased(const Real3& x, int order, Neighbourhood& near) const;
+  SurfaceValue EvaluateAmentaKil(const Real3& x, int order, Neighbourhood& near) const;
   SurfaceValue ProjectByNewton(Real3& x, Neighbourhood& near) const;
   SurfaceValue ProjectByEnergy(Real3& x, Neighbourhood& near) const;
   bool StepToLeastEnergy(Real3& x, Neighbourhood& near, double& step) const;

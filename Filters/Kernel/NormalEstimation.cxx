@@ -12,7 +12,7 @@ namespace sb
 namespace
 {
 
-constexpr int PlaneNeighbours = 16; ///< that the plane is fitted to, beside the point itself
+constexpr int MostNeighbours = 64; ///< that a plane is fitted to, beside the point itself
 constexpr int TreeNeighbours = 8; ///< that signs may come from
 constexpr double FlattestDoubt = 0.2; ///< of the smallest to the middle eigenvalue
 constexpr double ThinnestPlane = 1e-4; ///< of the middle to the largest eigenvalue: a line
@@ -31,8 +31,9 @@ struct Pair
 class Estimation
 {
 public:
-  Estimation(const PointTree& tree, Executor& executor, Monitor& monitor)
+  Estimation(const PointTree& tree, int neighbours, Executor& executor, Monitor& monitor)
     : Tree(tree)
+    , PlaneNeighbours(std::clamp(neighbours, TreeNeighbours, MostNeighbours))
     , Threads(executor)
     , Watch(monitor)
     , Count(tree.Size())
@@ -94,8 +95,8 @@ private:
   void FitPlane(std::int32_t i)
   {
     const Real3 x = this->Tree.Point(i);
-    PointTree::Neighbour found[PlaneNeighbours + 1];
-    const int count = this->Tree.Nearest(x, PlaneNeighbours + 1, found);
+    PointTree::Neighbour found[MostNeighbours + 1];
+    const int count = this->Tree.Nearest(x, this->PlaneNeighbours + 1, found);
     Real3 mean{};
     for (int k = 0; k < count; ++k)
     {
@@ -295,6 +296,7 @@ private:
   }
 
   const PointTree& Tree;
+  const int PlaneNeighbours;
   Executor& Threads;
   Monitor& Watch;
   const std::int32_t Count;
@@ -307,9 +309,10 @@ private:
 
 } // namespace
 
-EstimatedNormals EstimateNormals(const PointTree& tree, Executor& executor, Monitor& monitor)
+EstimatedNormals EstimateNormals(
+  const PointTree& tree, int neighbours, Executor& executor, Monitor& monitor)
 {
-  return Estimation(tree, executor, monitor).Run();
+  return Estimation(tree, neighbours, executor, monitor).Run();
 }
 
 } // namespace sb

@@ -37,8 +37,13 @@ struct EstimatedNormals
   bool Aborted = false;
 };
 
-/** Estimate and orient the normals of all points of a tree. */
-EstimatedNormals EstimateNormals(const PointTree& tree, Executor& executor, Monitor& monitor);
+/**
+ * Estimate and orient the normals of all points of a tree.
+ * @param neighbours that a plane is fitted to, beside the point itself; 8 to 64. More of them
+ * smooth more noise, and more of the shape.
+ */
+EstimatedNormals EstimateNormals(
+  const PointTree& tree, int neighbours, Executor& executor, Monitor& monitor);
 
 } // namespace sb
 

@@ -8,9 +8,9 @@
  * After P. Yang, X. Qian: "Direct Boolean intersection between acquired and designed geometry",
  * Computer-Aided Design, 2009, section 3; vtkMovingLeastSquaresSurface describes the surface. The
  * input is any vtkPointSet, or a composite data set of them, whose points count as one cloud. Its
- * point normals are used if it has any; else normals are estimated from the sixteen nearest points,
- * and turned so that neighbours agree and each connected part encloses a positive volume (an open
- * part bulges forwards).
+ * point normals are used if it has any; else normals are estimated from the nearest points (16,
+ * and up to 64 as the width grows), and turned so that neighbours agree and each connected part
+ * encloses a positive volume (an open part bulges forwards).
  *
  * Output 0 are the points, all of them and in their order, one vertex cell each, with the input's
  * point data and
