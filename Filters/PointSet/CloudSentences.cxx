@@ -2,8 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CloudSentences.h"
 
+#include "vtkPointSetSurfaceFilter.h"
+
 namespace sbvtk
 {
+
+int StatusOf(sb::CloudStatus status)
+{
+  switch (status)
+  {
+    case sb::CloudStatus::Ok:
+      return vtkPointSetSurfaceFilter::OK;
+    case sb::CloudStatus::TooFewPoints:
+      return vtkPointSetSurfaceFilter::TOO_FEW_POINTS;
+    case sb::CloudStatus::NoPlane:
+      return vtkPointSetSurfaceFilter::NO_PLANE;
+    case sb::CloudStatus::TooLarge:
+      return vtkPointSetSurfaceFilter::TOO_LARGE;
+    case sb::CloudStatus::Aborted:
+      return vtkPointSetSurfaceFilter::ABORTED;
+  }
+  return vtkPointSetSurfaceFilter::OK;
+}
 
 std::string RefusalOf(const sb::CloudSurface& cloud, std::int64_t numberOfPoints)
 {

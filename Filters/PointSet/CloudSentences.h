@@ -14,6 +14,9 @@
 namespace sbvtk
 {
 
+/** The value of vtkPointSetSurfaceFilter::StatusType for it. */
+int StatusOf(sb::CloudStatus status);
+
 /** Why a cloud has no surface; empty if it has one. */
 std::string RefusalOf(const sb::CloudSurface& cloud, std::int64_t numberOfPoints);
 

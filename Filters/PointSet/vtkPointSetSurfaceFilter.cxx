@@ -221,19 +221,10 @@ void vtkPointSetSurfaceFilter::Run::Prepare()
   request.Flip = this->Filter->FlipNormals != 0;
   sbvtk::KernelMonitor monitor(this->Filter, 0.02, 0.4);
   this->Cloud = sb::MakeCloudSurface(request, this->Executor, monitor);
-  const std::string refusal = sbvtk::RefusalOf(this->Cloud, request.Count);
-  switch (this->Cloud.Status)
+  const int status = sbvtk::StatusOf(this->Cloud.Status);
+  if (status != OK)
   {
-    case sb::CloudStatus::Ok:
-      break;
-    case sb::CloudStatus::TooFewPoints:
-      throw Failure{ TOO_FEW_POINTS, refusal };
-    case sb::CloudStatus::NoPlane:
-      throw Failure{ NO_PLANE, refusal };
-    case sb::CloudStatus::TooLarge:
-      throw Failure{ TOO_LARGE, refusal };
-    case sb::CloudStatus::Aborted:
-      throw Failure{ ABORTED, refusal };
+    throw Failure{ status, sbvtk::RefusalOf(this->Cloud, request.Count) };
   }
   this->Times.push_back({ "Prepare cloud", this->Watch.Lap() });
 }
