@@ -1,0 +1,759 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MovingLeastSquares.h"
+
+#include "Lanes.h"
+
+#include <algorithm>
+
+namespace sb
+{
+namespace
+{
+
+constexpr std::int32_t FewestNeighbours = 6;
+constexpr double LeastAgreement = 0.3; ///< of |N| to the sum of weights
+constexpr double LargestOffset = 0.5; ///< of the samples' mean along the surface, in h
+constexpr double MarginOfIterations = 0.35; ///< in h: most projections stay within it
+const double OneOverRootThree = 1.0 / std::sqrt(3.0);
+
+/** (1 - squared / R^2)^4 up to R. */
+struct CompactWeight
+{
+  double InverseSquaredReach;
+};
+
+/** Cut where it has fallen below 2e-9, so that the function has no step that its curvature shows.
+ */
+struct GaussianWeight
+{
+  double InverseSquaredWidth;
+  double SquaredReach;
+
+  double At(double squared) const
+  {
+    return squared < this->SquaredReach ? std::exp(-squared * this->InverseSquaredWidth) : 0.0;
+  }
+};
+
+/** Six sums of products of coordinates, read as a matrix. */
+template <class Number>
+struct SymmetricSum
+{
+  Number XX{}, XY{}, XZ{}, YY{}, YZ{}, ZZ{};
+
+  /** Add factor * d d^T. */
+  void Add(Number factor, Number x, Number y, Number z)
+  {
+    this->XX += factor * x * x;
+    this->XY += factor * x * y;
+    this->XZ += factor * x * z;
+    this->YY += factor * y * y;
+    this->YZ += factor * y * z;
+    this->ZZ += factor * z * z;
+  }
+
+  /** With `diagonal` added to each element of the diagonal. */
+  Real3x3 PlusDiagonal(Number diagonal) const
+  {
+    return { { { this->XX + diagonal, this->XY, this->XZ },
+      { this->XY, this->YY + diagonal, this->YZ }, { this->XZ, this->YZ, this->ZZ + diagonal } } };
+  }
+};
+
+/** The field of normals n = N / |N| and its derivatives. */
+struct NormalField
+{
+  Real3 Unit{};
+  double Length = 0.0;
+  Real3x3 Derivative{}; ///< [a][b] = d n_a / d x_b
+
+  NormalField(const Real3& sum, const Real3x3& derivativeOfSum)
+    : Length(sb::Length(sum))
+  {
+    if (!(this->Length > 0.0))
+    {
+      return;
+    }
+    this->Unit = Scaled(sum, 1.0 / this->Length);
+    const Real3 along = TransposeTimes(derivativeOfSum, this->Unit);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      for (std::size_t b = 0; b < 3; ++b)
+      {
+        this->Derivative[a][b] = (derivativeOfSum[a][b] - this->Unit[a] * along[b]) / this->Length;
+      }
+    }
+  }
+
+  /** What stands beside a vector D in sum th_bc (PD . v) / |N|, the part of D . d_b d_c n with
+   * second derivatives of the weights. */
+  Real3 Contraction(const Real3& d) const
+  {
+    return this->Length > 0.0 ? Scaled(WithoutPartAlong(d, this->Unit), 1.0 / this->Length)
+                              : Real3{};
+  }
+
+  /** Add the other part: -((D.n_b)(n.N_c) + (D.n_c)(n.N_b)) / |N| - (D.n)(n_b.n_c). */
+  void AddContracted(const Real3& d, const Real3x3& derivativeOfSum, Real3x3& hessian) const
+  {
+    if (!(this->Length > 0.0))
+    {
+      return;
+    }
+    const Real3 dn = TransposeTimes(this->Derivative, d);
+    const Real3 along = TransposeTimes(derivativeOfSum, this->Unit);
+    const double normalPart = Dot(d, this->Unit);
+    for (std::size_t b = 0; b < 3; ++b)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        double both = 0.0;
+        for (std::size_t a = 0; a < 3; ++a)
+        {
+          both += this->Derivative[a][b] * this->Derivative[a][c];
+        }
+        hessian[b][c] -= (dn[b] * along[c] + dn[c] * along[b]) / this->Length + normalPart * both;
+      }
+    }
+  }
+};
+
+/** Turn F and its derivatives into F / (2 W) and its derivatives. */
+void DivideByWeights(double w, const Real3& wb, const Real3x3& wbc, int order, SurfaceValue& f)
+{
+  const double scale = 0.5 / w;
+  const double value = f.Value / w;
+  if (order > 1)
+  {
+    for (std::size_t b = 0; b < 3; ++b)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        f.Hessian[b][c] = scale *
+          (f.Hessian[b][c] - (f.Gradient[b] * wb[c] + f.Gradient[c] * wb[b]) / w -
+            value * wbc[b][c] + 2.0 * value * wb[b] * wb[c] / w);
+      }
+    }
+  }
+  for (std::size_t b = 0; b < 3; ++b)
+  {
+    f.Gradient[b] = scale * (f.Gradient[b] - value * wb[b]);
+  }
+  f.Value *= scale;
+}
+
+SymmetricSum<double> SumOf(const SymmetricSum<Lanes>& m)
+{
+  return { Sum(m.XX), Sum(m.XY), Sum(m.XZ), Sum(m.YY), Sum(m.YZ), Sum(m.ZZ) };
+}
+
+/** What one pass over the neighbours gives; the rows from WB on for the gradient. */
+struct FirstSums
+{
+  double Neighbours = 0.0;
+  double W = 0.0;
+  double K = 0.0;
+  Real3 B{};
+  Real3 N{};
+  Real3 WB{}; ///< sum th_b
+  Real3 KB{}; ///< sum th_b (v . d)
+  Real3x3 NB{}; ///< sum v_a th_b
+  SymmetricSum<double> Spread; ///< sum th_b d_a, without W on its diagonal
+};
+
+template <int Order>
+FirstSums SumFirst(
+  const Real3& x, const double* const rows[6], std::size_t count, const CompactWeight& weight)
+{
+  using Lanes3 = std::array<Lanes, 3>;
+  const Lanes zero = Both(0.0);
+  Lanes neighbours = zero, w = zero, k = zero;
+  Lanes3 b{ zero, zero, zero }, n = b, wb = b, kb = b;
+  std::array<Lanes3, 3> nb{ b, b, b };
+  SymmetricSum<Lanes> spread{ zero, zero, zero, zero, zero, zero };
+  const Lanes inverse = Both(weight.InverseSquaredReach);
+  const Lanes slope = Both(-8.0 * weight.InverseSquaredReach); // of th by d, without t^3
+  for (std::size_t i = 0; i < count; i += 2)
+  {
+    const Lanes3 d{ Both(x[0]) - Load(rows[0] + i), Both(x[1]) - Load(rows[1] + i),
+      Both(x[2]) - Load(rows[2] + i) };
+    const Lanes3 v{ Load(rows[3] + i), Load(rows[4] + i), Load(rows[5] + i) };
+    const Lanes left = Both(1.0) - (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) * inverse;
+    const Lanes t = PositivePart(left);
+    const Lanes t2 = t * t;
+    const Lanes th = t2 * t2;
+    const Lanes height = d[0] * v[0] + d[1] * v[1] + d[2] * v[2];
+    neighbours += IsPositive(left);
+    w += th;
+    k += th * height;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      b[a] += th * d[a];
+      n[a] += th * v[a];
+    }
+    if constexpr (Order > 0)
+    {
+      const Lanes steep = slope * t2 * t;
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        const Lanes thc = steep * d[c];
+        wb[c] += thc;
+        kb[c] += thc * height;
+        for (std::size_t a = 0; a < 3; ++a)
+        {
+          nb[a][c] += v[a] * thc;
+        }
+      }
+      spread.Add(steep, d[0], d[1], d[2]);
+    }
+  }
+  FirstSums sums;
+  sums.Neighbours = Sum(neighbours);
+  sums.W = Sum(w);
+  sums.K = Sum(k);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    sums.B[a] = Sum(b[a]);
+    sums.N[a] = Sum(n[a]);
+    sums.WB[a] = Sum(wb[a]);
+    sums.KB[a] = Sum(kb[a]);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      sums.NB[a][c] = Sum(nb[a][c]);
+    }
+  }
+  sums.Spread = SumOf(spread);
+  return sums;
+}
+
+/** Sums with the second derivatives of the weights. */
+struct SecondSums
+{
+  Real3x3 OfF; ///< sum number th_bc
+  Real3x3 OfW; ///< sum th_bc
+};
+
+/** @param contraction, n the number of a sample is contraction . v + d . (n + v). */
+SecondSums SumSecond(const Real3& x, const double* const rows[6], std::size_t count,
+  const CompactWeight& weight, const Real3& contraction, const Real3& n)
+{
+  const Lanes zero = Both(0.0);
+  SymmetricSum<Lanes> ofF{ zero, zero, zero, zero, zero, zero };
+  SymmetricSum<Lanes> ofW = ofF;
+  Lanes diagonalOfF = zero, diagonalOfW = zero;
+  const Lanes inverse = Both(weight.InverseSquaredReach);
+  const Lanes slope = Both(-8.0 * weight.InverseSquaredReach);
+  const Lanes bend = Both(48.0 * weight.InverseSquaredReach * weight.InverseSquaredReach);
+  for (std::size_t i = 0; i < count; i += 2)
+  {
+    std::array<Lanes, 3> d;
+    Lanes number = zero;
+    Lanes squared = zero;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const Lanes v = Load(rows[3 + a] + i);
+      d[a] = Both(x[a]) - Load(rows[a] + i);
+      squared += d[a] * d[a];
+      number += Both(contraction[a]) * v + d[a] * (Both(n[a]) + v);
+    }
+    const Lanes t = PositivePart(Both(1.0) - squared * inverse);
+    const Lanes t2 = t * t;
+    const Lanes second = bend * t2;
+    const Lanes first = slope * t2 * t;
+    ofW.Add(second, d[0], d[1], d[2]);
+    ofF.Add(second * number, d[0], d[1], d[2]);
+    diagonalOfW += first;
+    diagonalOfF += first * number;
+  }
+  return { SumOf(ofF).PlusDiagonal(Sum(diagonalOfF)), SumOf(ofW).PlusDiagonal(Sum(diagonalOfW)) };
+}
+
+/** The terms of the Hessian of F with first derivatives of two things: n_b . B_c + n_c . B_b, and
+ * what second derivatives of sums over d leave over. */
+void AddMixed(
+  const NormalField& field, const FirstSums& sums, const Real3x3& derivativeOfB, Real3x3& hessian)
+{
+  for (std::size_t r = 0; r < 3; ++r)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      double mixed =
+        sums.WB[r] * field.Unit[c] + sums.WB[c] * field.Unit[r] + sums.NB[c][r] + sums.NB[r][c];
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        mixed += field.Derivative[a][r] * derivativeOfB[a][c] +
+          field.Derivative[a][c] * derivativeOfB[a][r];
+      }
+      hessian[r][c] += mixed;
+    }
+  }
+}
+
+/** @param mean the weighted mean of d, @param height its part along n */
+Support Judge(double length, double weights, const Real3& mean, const Real3& n, double h)
+{
+  if (length < LeastAgreement * weights)
+  {
+    return Support::Contradicting;
+  }
+  return sb::Length(WithoutPartAlong(mean, n)) > LargestOffset * h ? Support::Border
+                                                                   : Support::Defined;
+}
+
+} // namespace
+
+MovingLeastSquares::MovingLeastSquares(std::shared_ptr<const PointTree> tree, const double* normals,
+  SurfaceDefinition definition, double width)
+  : Tree(std::move(tree))
+  , Kind(definition)
+  , H(width)
+  , R((definition == SurfaceDefinition::AmentaKil ? 4.5 : 2.2) * width)
+{
+  const std::size_t count = static_cast<std::size_t>(this->Tree->Size());
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    this->Normals[axis].resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const std::size_t id = static_cast<std::size_t>(this->Tree->Id(static_cast<std::int32_t>(i)));
+      this->Normals[axis][i] = normals[3 * id + axis];
+    }
+  }
+}
+
+Real3 MovingLeastSquares::SampleNormal(std::int32_t i) const
+{
+  const std::size_t place = static_cast<std::size_t>(i);
+  return { this->Normals[0][place], this->Normals[1][place], this->Normals[2][place] };
+}
+
+void MovingLeastSquares::Gather(const Real3& x, double margin, Neighbourhood& near) const
+{
+  near.Centre = x;
+  near.Margin = margin;
+  std::size_t count = 0;
+  const double radius = this->R + margin;
+  const double limit = radius * radius;
+  const double* const px = this->Tree->Axis(0);
+  const double* const py = this->Tree->Axis(1);
+  const double* const pz = this->Tree->Axis(2);
+  this->Tree->ForRangesWithin(x, radius, [&](std::int32_t begin, std::int32_t end) {
+    const std::size_t needed = count + static_cast<std::size_t>(end - begin);
+    if (needed + 1 > near.Capacity)
+    {
+      const std::size_t capacity = 2 * needed;
+      std::vector<double> larger(9 * capacity);
+      for (std::size_t row = 0; row < 6; ++row)
+      {
+        std::copy_n(near.Row(row), count, larger.data() + row * capacity);
+      }
+      near.Memory.swap(larger);
+      near.Capacity = capacity;
+    }
+    double* const rows[6] = { near.Row(0), near.Row(1), near.Row(2), near.Row(3), near.Row(4),
+      near.Row(5) };
+    for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+    {
+      const double dx = px[i] - x[0];
+      const double dy = py[i] - x[1];
+      const double dz = pz[i] - x[2];
+      // Written always and counted only if near: no branch to guess wrong.
+      rows[0][count] = px[i];
+      rows[1][count] = py[i];
+      rows[2][count] = pz[i];
+      rows[3][count] = this->Normals[0][i];
+      rows[4][count] = this->Normals[1][i];
+      rows[5][count] = this->Normals[2][i];
+      count += dx * dx + dy * dy + dz * dz < limit ? 1 : 0;
+    }
+  });
+  near.Count = static_cast<std::int32_t>(count);
+  if (count % 2 == 1) // one more, out of reach, so that two at a time can be summed
+  {
+    const double far[6] = { x[0] + 2.0 * radius, x[1], x[2], 0.0, 0.0, 0.0 };
+    for (std::size_t row = 0; row < 6; ++row)
+    {
+      near.Row(row)[count] = far[row];
+    }
+  }
+}
+
+SurfaceValue MovingLeastSquares::Evaluate(const Real3& x, int order, Neighbourhood& near) const
+{
+  if (near.Count < FewestNeighbours)
+  {
+    return {};
+  }
+  if (this->Kind == SurfaceDefinition::AmentaKil)
+  {
+    return this->EvaluateAmentaKil(x, order, near);
+  }
+  return this->EvaluateUnbiased(x, order, near);
+}
+
+/** F = n . B + K with B = sum th d and K = sum th v . d. */
+SurfaceValue MovingLeastSquares::EvaluateUnbiased(
+  const Real3& x, int order, Neighbourhood& near) const
+{
+  const std::size_t count = static_cast<std::size_t>(near.Count);
+  const double* const rows[6] = { near.Row(0), near.Row(1), near.Row(2), near.Row(3), near.Row(4),
+    near.Row(5) };
+  const CompactWeight weight{ 1.0 / (this->R * this->R) };
+  const FirstSums sums =
+    order > 0 ? SumFirst<1>(x, rows, count, weight) : SumFirst<0>(x, rows, count, weight);
+  const double w = sums.W;
+  const Real3& b = sums.B;
+  const Real3& n = sums.N;
+  SurfaceValue f;
+  if (sums.Neighbours < FewestNeighbours)
+  {
+    return f;
+  }
+  const NormalField field(n, sums.NB);
+  f.IsNear = true;
+  f.Where = Judge(field.Length, w, Scaled(b, 1.0 / w), field.Unit, this->H);
+  f.Value = Dot(field.Unit, b) + sums.K;
+  Real3x3 wbc{};
+  if (order > 0)
+  {
+    const Real3x3 bb = sums.Spread.PlusDiagonal(w);
+    const Real3 ofNormal = TransposeTimes(field.Derivative, b);
+    const Real3 ofMean = TransposeTimes(bb, field.Unit);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      f.Gradient[c] = ofNormal[c] + ofMean[c] + sums.KB[c] + n[c];
+    }
+    if (order > 1)
+    {
+      // Second derivatives of the weights enter F only contracted: sum th_bc times one number a
+      // sample.
+      const SecondSums second = SumSecond(x, rows, count, weight, field.Contraction(b), field.Unit);
+      wbc = second.OfW;
+      f.Hessian = second.OfF;
+      field.AddContracted(b, sums.NB, f.Hessian);
+      AddMixed(field, sums, bb, f.Hessian);
+    }
+  }
+  DivideByWeights(w, sums.WB, wbc, order, f);
+  return f;
+}
+
+/** F = g = sum th (2 u - c u^3) with u = d . n and c = 2 / h^2 (the gradient of Eq. 4 along n). */
+SurfaceValue MovingLeastSquares::EvaluateAmentaKil(
+  const Real3& x, int order, Neighbourhood& near) const
+{
+  const std::size_t count = static_cast<std::size_t>(near.Count);
+  const double* const q[3] = { near.Row(0), near.Row(1), near.Row(2) };
+  const double* const v[3] = { near.Row(3), near.Row(4), near.Row(5) };
+  double* const weights = near.Row(6);
+  const GaussianWeight weight{ 1.0 / (this->H * this->H), this->R * this->R };
+  const double slope = -weight.InverseSquaredWidth; // first derivative of a weight, by the weight
+
+  double w = 0.0;
+  std::int32_t neighbours = 0;
+  Real3 b{}, n{}, wb{};
+  Real3x3 nb{};
+  SymmetricSum<double> spread;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Real3 d{ x[0] - q[0][i], x[1] - q[1][i], x[2] - q[2][i] };
+    const double th = weight.At(Dot(d, d));
+    weights[i] = th;
+    neighbours += th > 0.0 ? 1 : 0;
+    w += th;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      b[a] += th * d[a];
+      n[a] += th * v[a][i];
+    }
+    if (order > 0)
+    {
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+          nb[a][c] += v[a][i] * 2.0 * slope * th * d[c];
+        }
+      }
+    }
+    if (order > 1)
+    {
+      spread.Add(4.0 * slope * slope * th, d[0], d[1], d[2]);
+    }
+  }
+  SurfaceValue f;
+  if (neighbours < FewestNeighbours)
+  {
+    return f;
+  }
+  wb = Scaled(b, 2.0 * slope);
+  const NormalField field(n, nb);
+  const Real3 mean = Scaled(b, 1.0 / w);
+  const double height = Dot(mean, field.Unit);
+  f.IsNear = true;
+  f.Where = Judge(field.Length, w, mean, field.Unit, this->H);
+  if (std::abs(height) > OneOverRootThree * this->H)
+  {
+    // Beyond its reach the sign of g says nothing; that of the height still does.
+    f.Where = f.Where == Support::Defined ? Support::Far : f.Where;
+    f.Value = height;
+    f.Gradient = field.Unit;
+    return f;
+  }
+
+  const double c = 2.0 / (this->H * this->H);
+  double s = 0.0;
+  Real3 d1{}, steep{}; // D = sum th phi' d, and sum phi grad th
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Real3 d{ x[0] - q[0][i], x[1] - q[1][i], x[2] - q[2][i] };
+    const double th = weights[i];
+    const double u = Dot(d, field.Unit);
+    const double phi = u * (2.0 - c * u * u);
+    const double phi1 = 2.0 - 3.0 * c * u * u;
+    f.Value += th * phi;
+    s += th * phi1;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      d1[a] += th * phi1 * d[a];
+      steep[a] += 2.0 * slope * th * phi * d[a];
+    }
+  }
+  Real3x3 wbc{};
+  if (order > 0)
+  {
+    const Real3 turn = TransposeTimes(field.Derivative, d1);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      f.Gradient[a] = steep[a] + s * field.Unit[a] + turn[a];
+    }
+  }
+  if (order > 1)
+  {
+    const Real3 contraction = field.Contraction(d1);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const Real3 d{ x[0] - q[0][i], x[1] - q[1][i], x[2] - q[2][i] };
+      const double th = weights[i];
+      const double u = Dot(d, field.Unit);
+      const double number = u * (2.0 - c * u * u) + contraction[0] * v[0][i] +
+        contraction[1] * v[1][i] + contraction[2] * v[2][i];
+      const double phi1 = 2.0 - 3.0 * c * u * u;
+      const Real3 gu = PlusScaled(TransposeTimes(field.Derivative, d), 1.0, field.Unit);
+      for (std::size_t r = 0; r < 3; ++r)
+      {
+        for (std::size_t t = 0; t < 3; ++t)
+        {
+          f.Hessian[r][t] += th *
+            (4.0 * slope * slope * number * d[r] * d[t] + (r == t ? 2.0 * slope * number : 0.0) +
+              2.0 * slope * phi1 * (d[r] * gu[t] + d[t] * gu[r]) - 6.0 * c * u * gu[r] * gu[t]);
+        }
+      }
+    }
+    field.AddContracted(d1, nb, f.Hessian);
+    for (std::size_t r = 0; r < 3; ++r)
+    {
+      for (std::size_t t = 0; t < 3; ++t)
+      {
+        f.Hessian[r][t] += s * (field.Derivative[r][t] + field.Derivative[t][r]);
+      }
+    }
+    wbc = spread.PlusDiagonal(2.0 * slope * w);
+  }
+  DivideByWeights(w, wb, wbc, order, f);
+  return f;
+}
+
+SurfaceValue MovingLeastSquares::Project(Real3& x, Neighbourhood& near) const
+{
+  const Real3 start = x;
+  const SurfaceValue reached = this->Kind == SurfaceDefinition::AmentaKil
+    ? this->ProjectByEnergy(x, near)
+    : this->ProjectByNewton(x, near);
+  if (!reached.IsNear)
+  {
+    x = start;
+  }
+  return reached;
+}
+
+SurfaceValue MovingLeastSquares::ProjectByNewton(Real3& x, Neighbourhood& near) const
+{
+  const Real3 start = x;
+  this->Gather(x, MarginOfIterations * this->H, near);
+  for (int iteration = 0; iteration < 40; ++iteration)
+  {
+    if (Length(Difference(x, near.Centre)) > near.Margin)
+    {
+      this->Gather(x, MarginOfIterations * this->H, near);
+    }
+    const SurfaceValue f = this->Evaluate(x, 1, near);
+    const double steepness = Dot(f.Gradient, f.Gradient);
+    if (!f.IsNear || !(steepness > 0.0))
+    {
+      return {};
+    }
+    const double length = std::abs(f.Value) / std::sqrt(steepness);
+    const double most = 0.5 * this->H;
+    const double damping = length > most ? most / length : 1.0;
+    x = PlusScaled(x, -damping * f.Value / steepness, f.Gradient);
+    if (Length(Difference(x, start)) > this->H)
+    {
+      return {};
+    }
+    if (length < 1e-7 * this->H) // and quadratic convergence has squared it by now
+    {
+      return f;
+    }
+  }
+  return {};
+}
+
+/** From x to the least energy on the line along n(x), section 3.1 of Yang and Qian. */
+bool MovingLeastSquares::StepToLeastEnergy(Real3& x, Neighbourhood& near, double& step) const
+{
+  const GaussianWeight weight{ 1.0 / (this->H * this->H), this->R * this->R };
+  const std::size_t count = static_cast<std::size_t>(near.Count);
+  double* const heights = near.Row(6);
+  double* const squares = near.Row(7);
+  Real3 n{};
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Real3 d{ x[0] - near.Row(0)[i], x[1] - near.Row(1)[i], x[2] - near.Row(2)[i] };
+    squares[i] = Dot(d, d);
+    const double th = weight.At(squares[i]);
+    n = PlusScaled(n, th, { near.Row(3)[i], near.Row(4)[i], near.Row(5)[i] });
+  }
+  const double length = Length(n);
+  if (!(length > 0.0))
+  {
+    return false;
+  }
+  n = Scaled(n, 1.0 / length);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    heights[i] = (x[0] - near.Row(0)[i]) * n[0] + (x[1] - near.Row(1)[i]) * n[1] +
+      (x[2] - near.Row(2)[i]) * n[2];
+  }
+  const double c = 2.0 * weight.InverseSquaredWidth;
+  double t = 0.0;
+  for (int iteration = 0; iteration < 30; ++iteration)
+  {
+    double first = 0.0, second = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const double th = weight.At(squares[i] + t * (2.0 * heights[i] + t));
+      const double u = heights[i] + t;
+      const double u2 = u * u;
+      first += th * u * (2.0 - c * u2);
+      second += th * (2.0 - 5.0 * c * u2 + c * c * u2 * u2);
+    }
+    // Where the energy is not convex, a step downhill.
+    const double newton = second > 0.0 ? -first / second : (first > 0.0 ? -0.25 : 0.25) * this->H;
+    const double bounded = std::clamp(newton, -0.5 * this->H, 0.5 * this->H);
+    t += bounded;
+    if (!(std::abs(t) <= this->H))
+    {
+      return false;
+    }
+    if (std::abs(bounded) < 1e-6 * this->H) // and the next one would be its square
+    {
+      break;
+    }
+  }
+  x = PlusScaled(x, t, n);
+  step = t;
+  return true;
+}
+
+SurfaceValue MovingLeastSquares::ProjectByEnergy(Real3& x, Neighbourhood& near) const
+{
+  const Real3 start = x;
+  this->Gather(x, MarginOfIterations * this->H, near);
+  for (int iteration = 0; iteration < 100; ++iteration)
+  {
+    if (Length(Difference(x, near.Centre)) > near.Margin)
+    {
+      this->Gather(x, MarginOfIterations * this->H, near);
+    }
+    double step = 0.0;
+    if (near.Count < FewestNeighbours || !this->StepToLeastEnergy(x, near, step) ||
+      Length(Difference(x, start)) > this->H)
+    {
+      return {};
+    }
+    if (std::abs(step) < 1e-9 * this->H)
+    {
+      return this->Evaluate(x, 1, near);
+    }
+  }
+  return {};
+}
+
+double MovingLeastSquares::DistanceToSamples(const Real3& x, Real3* gradient) const
+{
+  constexpr int most = 8;
+  PointTree::Neighbour found[most];
+  const int count = this->Tree->Nearest(x, most, found);
+  if (count == 0)
+  {
+    return 0.0;
+  }
+  double side = 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    side +=
+      Dot(Difference(x, this->Tree->Point(found[i].Index)), this->SampleNormal(found[i].Index));
+  }
+  const double distance = std::sqrt(found[0].SquaredDistance);
+  const double sign = side < 0.0 ? -1.0 : 1.0;
+  if (gradient)
+  {
+    *gradient = distance > 0.0
+      ? Scaled(Difference(x, this->Tree->Point(found[0].Index)), sign / distance)
+      : this->SampleNormal(found[0].Index);
+  }
+  return sign * distance;
+}
+
+SurfaceCurvature CurvatureOf(const SurfaceValue& value)
+{
+  SurfaceCurvature curvature;
+  const double steepness = Length(value.Gradient);
+  if (!(steepness > 0.0))
+  {
+    return curvature;
+  }
+  const Real3 n = Scaled(value.Gradient, 1.0 / steepness);
+  const std::size_t axis = std::abs(n[0]) <= std::abs(n[1]) && std::abs(n[0]) <= std::abs(n[2]) ? 0
+    : std::abs(n[1]) <= std::abs(n[2])                                                          ? 1
+                                                                                                : 2;
+  Real3 u{};
+  u[axis] = 1.0;
+  u = WithoutPartAlong(u, n);
+  u = Scaled(u, 1.0 / Length(u));
+  const Real3 v = Cross(n, u);
+  const double uu = Dot(u, Times(value.Hessian, u)) / steepness;
+  const double uv = Dot(u, Times(value.Hessian, v)) / steepness;
+  const double vv = Dot(v, Times(value.Hessian, v)) / steepness;
+  const double mean = 0.5 * (uu + vv);
+  const double spread = std::sqrt(0.25 * (uu - vv) * (uu - vv) + uv * uv);
+  curvature.Maximum = mean + spread;
+  curvature.Minimum = mean - spread;
+  return curvature;
+}
+
+double SectionCurvature(const SurfaceValue& value, const Real3& planeNormal)
+{
+  const Real3 inPlane = WithoutPartAlong(value.Gradient, planeNormal);
+  const double steepness = Length(inPlane);
+  if (!(steepness > 0.0))
+  {
+    return 0.0;
+  }
+  const Real3 tangent = Scaled(Cross(planeNormal, inPlane), 1.0 / steepness);
+  return -Dot(tangent, Times(value.Hessian, tangent)) / steepness;
+}
+
+} // namespace sb

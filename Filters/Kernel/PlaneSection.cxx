@@ -1,0 +1,466 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PlaneSection.h"
+
+#include "ParallelSort.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace sb
+{
+namespace
+{
+
+constexpr std::int64_t Grain = 128;
+constexpr double SquareInWidths = 1.0 / 3.0;
+constexpr std::int32_t Around = 3; ///< squares around a sample's that are looked at: one width
+constexpr double Rounding = 1e-12; ///< in widths: values below it have no sign
+constexpr double Reserve = 0.85; ///< of the chord error, as it is measured at some places only
+
+/** A square of the plane's grid, or the node at its lower corner. */
+struct Square
+{
+  std::int32_t U;
+  std::int32_t V;
+
+  bool operator<(const Square& other) const
+  {
+    return this->V != other.V ? this->V < other.V : this->U < other.U;
+  }
+  bool operator==(const Square& other) const { return this->U == other.U && this->V == other.V; }
+};
+
+/** Corners in a ring, counter-clockwise. */
+constexpr std::int32_t CornerU[4] = { 0, 1, 1, 0 };
+constexpr std::int32_t CornerV[4] = { 0, 0, 1, 1 };
+
+void SortUnique(std::vector<Square>& squares, Executor& executor)
+{
+  ParallelSort(
+    squares, [](const Square& a, const Square& b) { return a < b; }, executor);
+  squares.erase(std::unique(squares.begin(), squares.end()), squares.end());
+}
+
+/** All steps and what they share. */
+class Sectioning
+{
+public:
+  Sectioning(const MovingLeastSquares& surface, const Real3& origin, const Real3& normal,
+    double chordError, Executor& executor, Monitor& monitor)
+    : Surface(surface)
+    , Normal(normal)
+    , Bound(Reserve * chordError)
+    , Edge(SquareInWidths * surface.Width())
+    , Threads(executor)
+    , Watch(monitor)
+  {
+    const std::size_t least =
+      static_cast<std::size_t>(std::min_element(normal.begin(), normal.end(),
+                                 [](double a, double b) { return std::abs(a) < std::abs(b); }) -
+        normal.begin());
+    Real3 axis{};
+    axis[least] = 1.0;
+    this->AxisU = Cross(axis, normal);
+    this->AxisU = Scaled(this->AxisU, 1.0 / Length(this->AxisU));
+    this->AxisV = Cross(normal, this->AxisU);
+    // Near the cloud, so that squares have small numbers; at an odd place, so that a cloud aligned
+    // with the plane does not have whole rows of zeros.
+    const Real3 lower = surface.Samples().Lower();
+    const Real3 upper = surface.Samples().Upper();
+    const Real3 middle = PlusScaled(lower, 0.5, Difference(upper, lower));
+    const Real3 foot = PlusScaled(middle, -Dot(Difference(middle, origin), normal), normal);
+    this->Origin = PlusScaled(
+      PlusScaled(foot, 0.371 * this->Edge, this->AxisU), 0.433 * this->Edge, this->AxisV);
+  }
+
+  PlaneSection Run()
+  {
+    PlaneSection section;
+    this->ListSquares();
+    if (!this->Squares.empty() && !this->Watch.Aborted())
+    {
+      this->EvaluateNodes();
+      this->FindSegments();
+      for (const std::vector<std::int32_t>& branch : this->Branches())
+      {
+        this->AddCurve(branch, section.Curves);
+      }
+    }
+    section.Aborted = this->Watch.Aborted();
+    if (section.Aborted)
+    {
+      section.Curves.clear();
+    }
+    return section;
+  }
+
+private:
+  Real3 Place(const Square& node) const
+  {
+    return PlusScaled(
+      PlusScaled(this->Origin, this->Edge * node.U, this->AxisU), this->Edge * node.V, this->AxisV);
+  }
+
+  /** Squares within a width of a sample that is within a width of the plane. */
+  void ListSquares()
+  {
+    const PointTree& samples = this->Surface.Samples();
+    const double width = this->Surface.Width();
+    std::vector<Square> seeds;
+    const auto isNear = [&](const Real3& lower, const Real3& upper) {
+      double least = 0.0;
+      double most = 0.0;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const double a = (lower[axis] - this->Origin[axis]) * this->Normal[axis];
+        const double b = (upper[axis] - this->Origin[axis]) * this->Normal[axis];
+        least += std::min(a, b);
+        most += std::max(a, b);
+      }
+      return least <= width && most >= -width;
+    };
+    samples.ForRanges(isNear, [&](std::int32_t begin, std::int32_t end) {
+      for (std::int32_t i = begin; i < end; ++i)
+      {
+        const Real3 from = Difference(samples.Point(i), this->Origin);
+        const double u = std::floor(Dot(from, this->AxisU) / this->Edge);
+        const double v = std::floor(Dot(from, this->AxisV) / this->Edge);
+        constexpr double most = 1 << 30;
+        if (std::abs(Dot(from, this->Normal)) <= width && std::abs(u) < most && std::abs(v) < most)
+        {
+          seeds.push_back({ static_cast<std::int32_t>(u), static_cast<std::int32_t>(v) });
+        }
+      }
+    });
+    SortUnique(seeds, this->Threads);
+    for (const Square& seed : seeds)
+    {
+      for (std::int32_t v = -Around; v <= Around; ++v)
+      {
+        for (std::int32_t u = -Around; u <= Around; ++u)
+        {
+          this->Squares.push_back({ seed.U + u, seed.V + v });
+        }
+      }
+    }
+    SortUnique(this->Squares, this->Threads);
+  }
+
+  std::size_t NumberOf(const Square& node) const
+  {
+    return static_cast<std::size_t>(
+      std::lower_bound(this->Nodes.begin(), this->Nodes.end(), node) - this->Nodes.begin());
+  }
+
+  void EvaluateNodes()
+  {
+    for (const Square& square : this->Squares)
+    {
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        this->Nodes.push_back({ square.U + CornerU[corner], square.V + CornerV[corner] });
+      }
+    }
+    SortUnique(this->Nodes, this->Threads);
+    this->Values.resize(this->Nodes.size());
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    this->Threads.For(static_cast<std::int64_t>(this->Nodes.size()), Grain,
+      [&](std::int64_t begin, std::int64_t end) {
+        MovingLeastSquares::Neighbourhood near;
+        for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end);
+             ++i)
+        {
+          const SurfaceValue f = this->Surface.EvaluateAt(this->Place(this->Nodes[i]), 0, near);
+          this->Values[i] = f.IsNear ? f.Value : none;
+        }
+      });
+  }
+
+  bool IsInside(std::size_t node) const
+  {
+    return this->Values[node] < -Rounding * this->Surface.Width();
+  }
+
+  /** In each square, from where the curve comes in to where it goes out, inside on the left. */
+  void FindSegments()
+  {
+    this->Next.assign(2 * this->Nodes.size(), -1);
+    this->Points.resize(2 * this->Nodes.size());
+    this->Supported.assign(2 * this->Nodes.size(), Unknown);
+    for (const Square& square : this->Squares)
+    {
+      std::size_t corners[4];
+      bool known = true;
+      for (int k = 0; k < 4; ++k)
+      {
+        corners[k] = this->NumberOf({ square.U + CornerU[k], square.V + CornerV[k] });
+        known = known && !std::isnan(this->Values[corners[k]]);
+      }
+      for (int leaves = 0; known && leaves < 4; ++leaves)
+      {
+        // A run of inside corners that ends here is cut off by one segment.
+        if (this->IsInside(corners[leaves]) && !this->IsInside(corners[(leaves + 1) % 4]))
+        {
+          int enters = leaves + 3;
+          while (this->IsInside(corners[enters % 4]))
+          {
+            --enters;
+          }
+          this->AddSegment(EdgeOf(corners, leaves), EdgeOf(corners, enters % 4));
+        }
+      }
+    }
+  }
+
+  /** The edge from corner k to the next one: twice the node at its lower end, and 1 if along v. */
+  static std::int32_t EdgeOf(const std::size_t (&corners)[4], int k)
+  {
+    const std::size_t lower = std::min(corners[k], corners[(k + 1) % 4]);
+    return static_cast<std::int32_t>(2 * lower + static_cast<std::size_t>(k % 2));
+  }
+
+  void AddSegment(std::int32_t from, std::int32_t to)
+  {
+    if (this->FindRoot(from) && this->FindRoot(to))
+    {
+      this->Next[static_cast<std::size_t>(from)] = to;
+    }
+  }
+
+  /** The point of the curve on an edge; returns whether the surface is defined there. */
+  bool FindRoot(std::int32_t edge)
+  {
+    const std::size_t place = static_cast<std::size_t>(edge);
+    if (this->Supported[place] != Unknown)
+    {
+      return this->Supported[place] == Yes;
+    }
+    const Square lower = this->Nodes[place / 2];
+    const Real3 start = this->Place(lower);
+    const Real3 along = Scaled(edge % 2 == 0 ? this->AxisU : this->AxisV, this->Edge);
+    const std::size_t other = this->NumberOf(
+      edge % 2 == 0 ? Square{ lower.U + 1, lower.V } : Square{ lower.U, lower.V + 1 });
+    const bool startsInside = this->IsInside(place / 2);
+    double low = 0.0;
+    double high = 1.0;
+    double t = std::clamp(
+      this->Values[place / 2] / (this->Values[place / 2] - this->Values[other]), 0.0, 1.0);
+    SurfaceValue f;
+    for (int iteration = 0; iteration < 60; ++iteration)
+    {
+      f = this->Surface.EvaluateAt(PlusScaled(start, t, along), 1, this->Near);
+      ((f.Value < 0.0) == startsInside ? low : high) = t;
+      const double newton = t - f.Value / Dot(f.Gradient, along);
+      const double next = newton >= low && newton <= high ? newton : 0.5 * (low + high);
+      const double step = std::abs(next - t);
+      t = next;
+      if (step < 1e-12)
+      {
+        break;
+      }
+    }
+    this->Points[place] = PlusScaled(start, t, along);
+    const bool supported = f.Where == Support::Defined || f.Where == Support::Contradicting;
+    this->Supported[place] = supported ? Yes : No;
+    return supported;
+  }
+
+  /** Edges in their order along each branch, open ones first; a loop has its first edge again at
+   * its end. */
+  std::vector<std::vector<std::int32_t>> Branches()
+  {
+    std::vector<std::uint8_t> hasPrevious(this->Next.size(), 0);
+    for (const std::int32_t next : this->Next)
+    {
+      if (next >= 0)
+      {
+        hasPrevious[static_cast<std::size_t>(next)] = 1;
+      }
+    }
+    std::vector<std::vector<std::int32_t>> branches;
+    for (const std::uint8_t loops : { std::uint8_t(0), std::uint8_t(1) })
+    {
+      for (std::size_t first = 0; first < this->Next.size(); ++first)
+      {
+        if (this->Next[first] < 0 || hasPrevious[first] != loops)
+        {
+          continue;
+        }
+        std::vector<std::int32_t> branch{ static_cast<std::int32_t>(first) };
+        for (std::size_t at = first; this->Next[at] >= 0;)
+        {
+          const std::int32_t next = this->Next[at];
+          this->Next[at] = -1;
+          branch.push_back(next);
+          at = static_cast<std::size_t>(next);
+        }
+        branches.push_back(branch);
+      }
+    }
+    return branches;
+  }
+
+  void AddCurve(const std::vector<std::int32_t>& branch, std::vector<SectionCurve>& curves)
+  {
+    std::vector<Real3> points;
+    for (const std::int32_t edge : branch)
+    {
+      const Real3& point = this->Points[static_cast<std::size_t>(edge)];
+      if (points.empty() || Length(Difference(point, points.back())) > Rounding * this->Edge)
+      {
+        points.push_back(point);
+      }
+    }
+    if (points.size() < 2)
+    {
+      return;
+    }
+    SectionCurve curve;
+    curve.Closed = branch.front() == branch.back();
+    curve.Points.push_back(points.front());
+    for (std::size_t at = 0; at + 1 < points.size() && !this->Watch.Aborted();)
+    {
+      at = this->Step(points, at, curve);
+    }
+    curves.push_back(std::move(curve));
+  }
+
+  /** One step from points[at] as far as the bound allows; returns where it ends. */
+  std::size_t Step(const std::vector<Real3>& points, std::size_t at, SectionCurve& curve)
+  {
+    const SurfaceValue f = this->Surface.EvaluateAt(points[at], 2, this->Near);
+    const double curvature = std::abs(SectionCurvature(f, this->Normal));
+    // The chord of a circle with that sagitta, but never more than two widths.
+    const double most = 2.0 * this->Surface.Width();
+    const double squared = 4.0 * (2.0 * this->Bound / curvature - this->Bound * this->Bound);
+    const double length = squared < most * most ? std::sqrt(std::max(0.0, squared)) : most;
+    std::size_t last = at + 1;
+    double arc = Length(Difference(points[last], points[at]));
+    // A loop takes three steps at least.
+    const std::size_t farthest =
+      std::min(points.size() - 1, at + std::max<std::size_t>(1, (points.size() - 1) / 3));
+    while (last < farthest && arc + Length(Difference(points[last + 1], points[last])) <= length)
+    {
+      arc += Length(Difference(points[last + 1], points[last]));
+      ++last;
+    }
+    for (; last > at + 1; last = at + (last - at + 1) / 2)
+    {
+      const double error = this->ErrorOf(points, at, last);
+      if (error <= this->Bound)
+      {
+        curve.LargestChordError = std::max(curve.LargestChordError, error);
+        curve.Points.push_back(points[last]);
+        return last;
+      }
+    }
+    this->Subdivide(points[at], points[at + 1], 0, curve);
+    return at + 1;
+  }
+
+  /** The measured chord error of the step between two of the points. */
+  double ErrorOf(const std::vector<Real3>& points, std::size_t first, std::size_t last)
+  {
+    double error = 0.0;
+    for (std::size_t k = first; k < last; ++k)
+    {
+      const Real3 middle = PlusScaled(points[k], 0.5, Difference(points[k + 1], points[k]));
+      Real3 onCurve = middle;
+      this->OntoCurve(onCurve);
+      for (const Real3& x : { points[k], onCurve })
+      {
+        error = std::max(error, DistanceToSegment(x, points[first], points[last]));
+      }
+    }
+    return error;
+  }
+
+  static double DistanceToSegment(const Real3& x, const Real3& a, const Real3& b)
+  {
+    const Real3 along = Difference(b, a);
+    const double t = std::clamp(Dot(Difference(x, a), along) / Dot(along, along), 0.0, 1.0);
+    return Length(Difference(x, PlusScaled(a, t, along)));
+  }
+
+  /** Halve a step between neighbours on the grid until its chord error is kept. */
+  void Subdivide(const Real3& a, const Real3& b, int depth, SectionCurve& curve)
+  {
+    constexpr int deepest = 16;
+    double error = 0.0;
+    Real3 middle{};
+    for (const double t : { 0.25, 0.75, 0.5 })
+    {
+      middle = PlusScaled(a, t, Difference(b, a));
+      this->OntoCurve(middle);
+      error = std::max(error, DistanceToSegment(middle, a, b));
+    }
+    if (error > this->Bound && depth < deepest)
+    {
+      this->Subdivide(a, middle, depth + 1, curve);
+      this->Subdivide(middle, b, depth + 1, curve);
+      return;
+    }
+    curve.LargestChordError = std::max(curve.LargestChordError, error);
+    curve.Points.push_back(b);
+  }
+
+  /** Newton's method in the plane; where it does not lead to the curve, x stays. */
+  void OntoCurve(Real3& x)
+  {
+    const Real3 start = x;
+    for (int iteration = 0; iteration < 20; ++iteration)
+    {
+      const SurfaceValue f = this->Surface.EvaluateAt(x, 1, this->Near);
+      const Real3 inPlane = WithoutPartAlong(f.Gradient, this->Normal);
+      const double steepness = Dot(inPlane, inPlane);
+      const double step = std::abs(f.Value) / std::sqrt(steepness);
+      if (!f.IsNear || !(step < this->Edge) || Length(Difference(x, start)) > this->Edge)
+      {
+        x = start;
+        return;
+      }
+      x = PlusScaled(x, -f.Value / steepness, inPlane);
+      if (step < 1e-7 * this->Edge)
+      {
+        return;
+      }
+    }
+  }
+
+  enum : std::uint8_t
+  {
+    Unknown,
+    Yes,
+    No
+  };
+
+  const MovingLeastSquares& Surface;
+  const Real3 Normal;
+  const double Bound;
+  const double Edge;
+  Executor& Threads;
+  Monitor& Watch;
+  Real3 Origin{};
+  Real3 AxisU{};
+  Real3 AxisV{};
+  std::vector<Square> Squares;
+  std::vector<Square> Nodes;
+  std::vector<double> Values; ///< NaN where there is none
+  std::vector<std::int32_t> Next; ///< of an edge, the one that its curve goes to
+  std::vector<Real3> Points; ///< of edges
+  std::vector<std::uint8_t> Supported; ///< of edges
+  MovingLeastSquares::Neighbourhood Near;
+};
+
+} // namespace
+
+PlaneSection IntersectPlane(const MovingLeastSquares& surface, const Real3& origin,
+  const Real3& normal, double chordError, Executor& executor, Monitor& monitor)
+{
+  return Sectioning(surface, origin, normal, chordError, executor, monitor).Run();
+}
+
+} // namespace sb

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CloudSentences.h
+ * @brief What is wrong with a cloud, in one plain sentence: what, where, and what to do.
+ */
+#ifndef CloudSentences_h
+#define CloudSentences_h
+
+#include "CloudSurface.h"
+
+#include <string>
+
+namespace sbvtk
+{
+
+/** The value of vtkPointSetSurfaceFilter::StatusType for it. */
+int StatusOf(sb::CloudStatus status);
+
+/** Why a cloud has no surface; empty if it has one. */
+std::string RefusalOf(const sb::CloudSurface& cloud, std::int64_t numberOfPoints);
+
+} // namespace sbvtk
+
+#endif

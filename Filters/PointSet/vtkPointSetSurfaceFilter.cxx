@@ -1,0 +1,517 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSetSurfaceFilter.h"
+
+#include "CloudInput.h"
+#include "CloudSampling.h"
+#include "CloudSentences.h"
+#include "CloudSurface.h"
+#include "FieldArrays.h"
+#include "KernelExecutor.h"
+#include "PointSurfaceMesh.h"
+#include "Stopwatch.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkPointSetSurfaceFilter);
+
+namespace
+{
+
+constexpr double LargestShare = 0.2; ///< of doubtful or invalid points that goes without a warning
+constexpr double CellInSpacings = 2.0;
+
+vtkSmartPointer<vtkDoubleArray> NewDoubles(const char* name, int components, vtkIdType count)
+{
+  const auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(count);
+  return array;
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> NewBytes(const char* name, vtkIdType count)
+{
+  const auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  array->SetName(name);
+  array->SetNumberOfTuples(count);
+  return array;
+}
+
+/** Mean and Gauss curvature beside the principal ones. */
+void AddCurvatures(vtkPolyData* output, vtkDoubleArray* maximum, vtkDoubleArray* minimum)
+{
+  const vtkIdType count = maximum->GetNumberOfTuples();
+  const auto mean = NewDoubles("MeanCurvature", 1, count);
+  const auto gauss = NewDoubles("GaussCurvature", 1, count);
+  const double* const largest = maximum->GetPointer(0);
+  const double* const least = minimum->GetPointer(0);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    mean->GetPointer(0)[i] = 0.5 * (largest[i] + least[i]);
+    gauss->GetPointer(0)[i] = largest[i] * least[i];
+  }
+  for (vtkDataArray* array : { static_cast<vtkDataArray*>(mean), static_cast<vtkDataArray*>(gauss),
+         static_cast<vtkDataArray*>(maximum), static_cast<vtkDataArray*>(minimum) })
+  {
+    output->GetPointData()->AddArray(array);
+  }
+}
+
+} // namespace
+
+/** One update: its steps in their order, and what they share. */
+class vtkPointSetSurfaceFilter::Run
+{
+public:
+  Run(vtkPointSetSurfaceFilter* filter, vtkDataObject* input, vtkInformationVector* outputs)
+    : Filter(filter)
+    , Data(input)
+    , Points(vtkPolyData::GetData(outputs, 0))
+    , Mesh(vtkPolyData::GetData(outputs, 1))
+  {
+  }
+
+  void Execute();
+
+private:
+  struct Failure
+  {
+    int Status;
+    std::string Sentence;
+  };
+
+  void CheckSettings() const;
+  void ReadInput();
+  void Prepare();
+  void Sample();
+  void MarkDoubtful(const double* normals);
+  void BuildPoints();
+  void BuildMesh();
+  void Judge();
+  void Warn(int status, const std::string& sentence);
+  void AddFields(int status, const std::string& message);
+  std::string Share(double share) const;
+  vtkIdType Count() const { return static_cast<vtkIdType>(this->Input.NumberOfPoints()); }
+
+  vtkPointSetSurfaceFilter* Filter;
+  vtkDataObject* Data;
+  vtkPolyData* Points;
+  vtkPolyData* Mesh;
+  sbvtk::CloudInput Input;
+  sbvtk::KernelExecutor Executor;
+  sbvtk::Stopwatch Watch;
+  std::vector<sb::StageTime> Times;
+  sb::CloudSurface Cloud;
+  int Status = OK;
+  std::string Message;
+  vtkSmartPointer<vtkDoubleArray> Places;
+  vtkSmartPointer<vtkUnsignedCharArray> Doubtful;
+  vtkIdType NumberOfValid = 0;
+  double ResidualRMS = 0.0;
+  double DoubtfulShare = 0.0;
+  vtkIdType NumberOfBorderEdges = 0;
+};
+
+//------------------------------------------------------------------------------
+void vtkPointSetSurfaceFilter::Run::Execute()
+{
+  Failure failure{ OK, "" };
+  try
+  {
+    this->CheckSettings();
+    this->ReadInput();
+    this->Prepare();
+    this->Sample();
+    this->BuildPoints();
+    if (this->Filter->GenerateSurface)
+    {
+      this->BuildMesh();
+    }
+    this->Judge();
+    this->AddFields(this->Status, this->Message);
+    return;
+  }
+  catch (const Failure& caught)
+  {
+    failure = caught;
+  }
+  catch (const std::bad_alloc&)
+  {
+    failure = { OUT_OF_MEMORY,
+      "The result does not fit into memory; choose a larger CellSize or "
+      "fewer points." };
+  }
+  this->Points->Initialize();
+  this->Mesh->Initialize();
+  this->AddFields(failure.Status, failure.Sentence);
+  if (failure.Status != ABORTED)
+  {
+    vtkErrorWithObjectMacro(this->Filter, << failure.Sentence);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetSurfaceFilter::Run::CheckSettings() const
+{
+  if (this->Filter->Definition != 0 && this->Filter->Definition != 1)
+  {
+    throw Failure{ BAD_REQUEST,
+      "Definition is " + std::to_string(this->Filter->Definition) +
+        "; set it to 0 (Unbiased) or 1 (Amenta-Kil)." };
+  }
+  const double width = this->Filter->Width;
+  const double cell = this->Filter->CellSize;
+  if (!std::isfinite(width) || width < 0.0)
+  {
+    throw Failure{ BAD_REQUEST,
+      "Width is " + std::to_string(width) + "; set it to 0 or a positive length." };
+  }
+  if (!std::isfinite(cell) || cell < 0.0)
+  {
+    throw Failure{ BAD_REQUEST,
+      "CellSize is " + std::to_string(cell) + "; set it to 0 or a positive length." };
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetSurfaceFilter::Run::ReadInput()
+{
+  const std::string refusal = this->Input.Read(this->Data);
+  if (!refusal.empty())
+  {
+    throw Failure{ NOT_POINTS, "Input " + refusal };
+  }
+  if (!this->Input.Warning().empty())
+  {
+    this->Warn(BAD_NORMALS, this->Input.Warning());
+  }
+  this->Times.push_back({ "Read input", this->Watch.Lap() });
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetSurfaceFilter::Run::Prepare()
+{
+  sb::CloudRequest request;
+  request.Points = this->Input.Points();
+  request.Normals = this->Input.Normals();
+  request.Count = this->Input.NumberOfPoints();
+  request.Definition = static_cast<sb::SurfaceDefinition>(this->Filter->Definition);
+  request.Width = this->Filter->Width;
+  request.Flip = this->Filter->FlipNormals != 0;
+  sbvtk::KernelMonitor monitor(this->Filter, 0.02, 0.4);
+  this->Cloud = sb::MakeCloudSurface(request, this->Executor, monitor);
+  const int status = sbvtk::StatusOf(this->Cloud.Status);
+  if (status != OK)
+  {
+    throw Failure{ status, sbvtk::RefusalOf(this->Cloud, request.Count) };
+  }
+  this->Times.push_back({ "Prepare cloud", this->Watch.Lap() });
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetSurfaceFilter::Run::Sample()
+{
+  const vtkIdType count = this->Count();
+  this->Points->GetPointData()->PassData(this->Input.Data()->GetPointData());
+  this->Places = NewDoubles("Points", 3, count);
+  const auto normals = NewDoubles("Normals", 3, count);
+  std::copy(this->Cloud.Normals.begin(), this->Cloud.Normals.end(), normals->GetPointer(0));
+  const auto residual = NewDoubles("Residual", 1, count);
+  const auto validity = NewBytes("Validity", count);
+  const auto maximum = NewDoubles("MaximumCurvature", 1, count);
+  const auto minimum = NewDoubles("MinimumCurvature", 1, count);
+  sb::CloudArrays arrays;
+  arrays.Projected = this->Places->GetPointer(0);
+  arrays.Normal = normals->GetPointer(0);
+  arrays.Residual = residual->GetPointer(0);
+  arrays.Validity = validity->GetPointer(0);
+  if (this->Filter->ComputeCurvatures)
+  {
+    arrays.MaximumCurvature = maximum->GetPointer(0);
+    arrays.MinimumCurvature = minimum->GetPointer(0);
+  }
+  sbvtk::KernelMonitor monitor(this->Filter, 0.4, this->Filter->GenerateSurface ? 0.7 : 0.95);
+  if (!sb::SampleCloudSurface(
+        *this->Cloud.Surface, this->Input.Points(), count, arrays, this->Executor, monitor))
+  {
+    throw Failure{ ABORTED, "The filter was stopped." };
+  }
+  this->MarkDoubtful(arrays.Normal);
+  double squares = 0.0;
+  vtkIdType reached = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    this->NumberOfValid += arrays.Validity[i] == 0 ? 1 : 0;
+    reached += std::isnan(arrays.Residual[i]) ? 0 : 1;
+    squares += std::isnan(arrays.Residual[i]) ? 0.0 : arrays.Residual[i] * arrays.Residual[i];
+  }
+  this->ResidualRMS = reached > 0 ? std::sqrt(squares / static_cast<double>(reached)) : 0.0;
+  vtkPointData* output = this->Points->GetPointData();
+  output->SetNormals(normals);
+  output->AddArray(residual);
+  output->AddArray(validity);
+  output->AddArray(this->Doubtful);
+  if (this->Filter->ComputeCurvatures)
+  {
+    AddCurvatures(this->Points, maximum, minimum);
+  }
+  this->Times.push_back({ "Project points", this->Watch.Lap() });
+}
+
+//------------------------------------------------------------------------------
+/** A normal is doubtful if its estimate says so, or if it is turned against the surface's. */
+void vtkPointSetSurfaceFilter::Run::MarkDoubtful(const double* normals)
+{
+  const vtkIdType count = this->Count();
+  this->Doubtful = NewBytes("DoubtfulNormal", count);
+  unsigned char* const doubtful = this->Doubtful->GetPointer(0);
+  const double* const samples = this->Cloud.Normals.data();
+  vtkIdType total = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double* const a = samples + 3 * i;
+    const double* const b = normals + 3 * i;
+    const bool estimatedSo =
+      !this->Cloud.Doubtful.empty() && this->Cloud.Doubtful[static_cast<std::size_t>(i)];
+    doubtful[i] = estimatedSo || a[0] * b[0] + a[1] * b[1] + a[2] * b[2] < 0.0 ? 1 : 0;
+    total += doubtful[i];
+  }
+  this->DoubtfulShare = count > 0 ? static_cast<double>(total) / static_cast<double>(count) : 0.0;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetSurfaceFilter::Run::BuildPoints()
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  if (this->Filter->ProjectPoints)
+  {
+    points->SetData(this->Places);
+  }
+  else
+  {
+    points->DeepCopy(this->Input.Data()->GetPoints());
+  }
+  this->Points->SetPoints(points);
+  const vtkIdType count = this->Count();
+  vtkNew<vtkIdTypeArray> offsets;
+  vtkNew<vtkIdTypeArray> ids;
+  offsets->SetNumberOfValues(count + 1);
+  ids->SetNumberOfValues(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    offsets->GetPointer(0)[i] = i;
+    ids->GetPointer(0)[i] = i;
+  }
+  offsets->GetPointer(0)[count] = count;
+  vtkNew<vtkCellArray> vertices;
+  vertices->SetData(offsets, ids);
+  this->Points->SetVerts(vertices);
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetSurfaceFilter::Run::BuildMesh()
+{
+  const double cell =
+    this->Filter->CellSize > 0.0 ? this->Filter->CellSize : CellInSpacings * this->Cloud.Spacing;
+  sbvtk::KernelMonitor monitor(this->Filter, 0.7, 0.95);
+  const sb::PointSurfaceMesh mesh =
+    sb::MeshPointSurface(*this->Cloud.Surface, cell, this->Executor, monitor);
+  if (mesh.End == sb::PointSurfaceMesh::Ending::Aborted)
+  {
+    throw Failure{ ABORTED, "The filter was stopped." };
+  }
+  if (mesh.End == sb::PointSurfaceMesh::Ending::TooFine)
+  {
+    throw Failure{ TOO_FINE,
+      "Cells of " + std::to_string(cell) +
+        " are too small for the extent of Input; choose a larger CellSize, or remove outliers." };
+  }
+  this->NumberOfBorderEdges = static_cast<vtkIdType>(mesh.NumberOfBorderEdges);
+  const vtkIdType count = static_cast<vtkIdType>(mesh.Points.size() / 3);
+  const auto coordinates = NewDoubles("Points", 3, count);
+  std::copy(mesh.Points.begin(), mesh.Points.end(), coordinates->GetPointer(0));
+  const auto normals = NewDoubles("Normals", 3, count);
+  std::copy(mesh.Normals.begin(), mesh.Normals.end(), normals->GetPointer(0));
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetData(coordinates);
+  vtkNew<vtkTypeInt32Array> offsets;
+  vtkNew<vtkTypeInt32Array> corners;
+  corners->SetNumberOfValues(static_cast<vtkIdType>(mesh.Triangles.size()));
+  std::copy(mesh.Triangles.begin(), mesh.Triangles.end(), corners->GetPointer(0));
+  offsets->SetNumberOfValues(corners->GetNumberOfValues() / 3 + 1);
+  for (vtkIdType i = 0; i < offsets->GetNumberOfValues(); ++i)
+  {
+    offsets->GetPointer(0)[i] = static_cast<int>(3 * i);
+  }
+  vtkNew<vtkCellArray> triangles;
+  triangles->SetData(offsets, corners);
+  this->Mesh->SetPoints(points);
+  this->Mesh->SetPolys(triangles);
+  this->Mesh->GetPointData()->SetNormals(normals);
+  if (this->Filter->ComputeCurvatures)
+  {
+    const auto maximum = NewDoubles("MaximumCurvature", 1, count);
+    const auto minimum = NewDoubles("MinimumCurvature", 1, count);
+    sb::CloudArrays arrays;
+    arrays.MaximumCurvature = maximum->GetPointer(0);
+    arrays.MinimumCurvature = minimum->GetPointer(0);
+    sbvtk::KernelMonitor rest(this->Filter, 0.95, 1.0);
+    sb::SampleCloudSurface(
+      *this->Cloud.Surface, coordinates->GetPointer(0), count, arrays, this->Executor, rest);
+    AddCurvatures(this->Mesh, maximum, minimum);
+  }
+  this->Times.push_back({ "Mesh", this->Watch.Lap() });
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPointSetSurfaceFilter::Run::Share(double share) const
+{
+  return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " % of the " +
+    std::to_string(this->Count());
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetSurfaceFilter::Run::Judge()
+{
+  const std::string without = std::to_string(this->Cloud.NumberWithoutNormal);
+  if (this->Input.Normals() && this->Cloud.Estimated)
+  {
+    this->Warn(BAD_NORMALS,
+      "No normal of Input has a length and is finite, so normals were estimated; compute them "
+      "anew, "
+      "or leave the array out.");
+  }
+  else if (!this->Cloud.Estimated && this->Cloud.NumberWithoutNormal > 0)
+  {
+    this->Warn(BAD_NORMALS,
+      without +
+        " points of Input have a normal that is zero or not finite, and were left out of the "
+        "surface; give them one, or remove all normals to have them estimated.");
+  }
+  if (this->DoubtfulShare > LargestShare)
+  {
+    this->Warn(DOUBTFUL_NORMALS,
+      Share(this->DoubtfulShare) +
+        " normals may be wrong (DoubtfulNormal is 1 there); give Input normals that agree on a "
+        "side, "
+        "or more points where it is thin or sharp.");
+  }
+  const double invalid = 1.0 -
+    static_cast<double>(this->NumberOfValid) /
+      static_cast<double>(std::max<vtkIdType>(1, this->Count()));
+  if (invalid > LargestShare)
+  {
+    this->Warn(INVALID_POINTS,
+      Share(invalid) +
+        " points do not lie on a surface that the others define (see Validity); choose a larger "
+        "Width, "
+        "or remove outliers.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetSurfaceFilter::Run::Warn(int status, const std::string& sentence)
+{
+  vtkWarningWithObjectMacro(this->Filter, << sentence);
+  if (this->Status == OK)
+  {
+    this->Status = status;
+    this->Message = sentence;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetSurfaceFilter::Run::AddFields(int status, const std::string& message)
+{
+  using sbvtk::AddField;
+  if (this->Data)
+  {
+    this->Points->GetFieldData()->PassData(this->Data->GetFieldData());
+  }
+  const auto addInt = [this](const char* name, int value) {
+    AddField<vtkIntArray>(this->Points, name, std::vector<int>{ value });
+  };
+  const auto addDouble = [this](const char* name, double value) {
+    AddField<vtkDoubleArray>(this->Points, name, std::vector<double>{ value });
+  };
+  const auto addCount = [this](const char* name, std::int64_t value) {
+    AddField<vtkIdTypeArray>(
+      this->Points, name, std::vector<vtkIdType>{ static_cast<vtkIdType>(value) });
+  };
+  addInt("Status", status);
+  AddField<vtkStringArray>(this->Points, "Message", std::vector<std::string>{ message });
+  addDouble("Spacing", this->Cloud.Spacing);
+  addDouble("Width", this->Cloud.Surface ? this->Cloud.Surface->Width() : 0.0);
+  addDouble("ResidualRMS", this->ResidualRMS);
+  addDouble("DoubtfulShare", this->DoubtfulShare);
+  addCount("NumberOfValidPoints", this->NumberOfValid);
+  addCount("NumberOfDuplicates", this->Cloud.NumberOfDuplicates);
+  addCount("NumberOfBadPoints", this->Cloud.NumberOfNotFinite);
+  addCount("NumberWithoutNormal", this->Cloud.NumberWithoutNormal);
+  addInt("NormalsEstimated", this->Cloud.Estimated ? 1 : 0);
+  addCount("NumberOfBorderEdges", this->NumberOfBorderEdges);
+  sbvtk::AddStageFields(this->Points, this->Times);
+}
+
+//------------------------------------------------------------------------------
+vtkPointSetSurfaceFilter::vtkPointSetSurfaceFilter() { this->SetNumberOfOutputPorts(2); }
+
+//------------------------------------------------------------------------------
+vtkPointSetSurfaceFilter::~vtkPointSetSurfaceFilter() = default;
+
+//------------------------------------------------------------------------------
+int vtkPointSetSurfaceFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  // Any data object, and optional: others get a sentence of ours instead of the pipeline's.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSetSurfaceFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputs[0], 0);
+  sbvtk::RunWithThreads(this->NumberOfThreads, [&] { Run(this, input, outputs).Execute(); });
+  this->SetAbortOutput(
+    false); // a run that was stopped says so in its field data, which the pipeline would clear
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetSurfaceFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Definition: " << this->Definition << "\n";
+  os << indent << "Width: " << this->Width << "\n";
+  os << indent << "FlipNormals: " << this->FlipNormals << "\n";
+  os << indent << "ProjectPoints: " << this->ProjectPoints << "\n";
+  os << indent << "ComputeCurvatures: " << this->ComputeCurvatures << "\n";
+  os << indent << "GenerateSurface: " << this->GenerateSurface << "\n";
+  os << indent << "CellSize: " << this->CellSize << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+}
