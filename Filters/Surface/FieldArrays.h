@@ -9,10 +9,10 @@
 
 #include "Boolean.h"
 
+#include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
-#include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
 #include <string>
@@ -22,7 +22,7 @@ namespace sbvtk
 {
 
 template <typename Array, typename Value>
-void AddField(vtkPolyData* output, const char* name, const std::vector<Value>& values)
+void AddField(vtkDataObject* output, const char* name, const std::vector<Value>& values)
 {
   vtkNew<Array> array;
   array->SetName(name);
@@ -35,7 +35,7 @@ void AddField(vtkPolyData* output, const char* name, const std::vector<Value>& v
 }
 
 /** The field arrays StageNames and StageSeconds. */
-inline void AddStageFields(vtkPolyData* output, const std::vector<sb::StageTime>& times)
+inline void AddStageFields(vtkDataObject* output, const std::vector<sb::StageTime>& times)
 {
   std::vector<std::string> names;
   std::vector<double> seconds;
