@@ -79,7 +79,7 @@ def test_two_equal_cylinders_meet_in_two_ellipses_that_cross_twice():
 
 
 def villarceau_torus(around, across):
-    """A torus of radii 25 and 15 with points exactly where the plane 3x = 4z touches it, (16, 0, 12) and (-16, 0, -12)."""
+    """A torus of radii 25 and 15 with points where the plane 3x = 4z touches it: (16, 0, 12) and (-16, 0, -12)."""
     tilt = np.arctan2(4, -3)
     tube = np.concatenate([np.linspace(-tilt, tilt, across, endpoint=False)])
     tube = np.concatenate([tube, np.linspace(tilt, 2 * np.pi - tilt, across, endpoint=False)])
