@@ -116,7 +116,6 @@ class TrueformClip(Trueform):
         super().prepare("intersection", [*input, block(planes)], [])
 
 
-
 def block(planes, size=10.0):
     """A box in front of up to three planes that are at right angles to each other, as a mesh."""
     from cases import box
