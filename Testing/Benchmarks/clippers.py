@@ -115,9 +115,6 @@ class TrueformClip(Trueform):
     def prepare(self, operation, input, tool, planes):
         super().prepare("intersection", [*input, block(planes)], [])
 
-    def update(self):
-        return super().update()
-
 
 def block(planes, size=10.0):
     """A box in front of up to three planes that are at right angles to each other, as a mesh."""
