@@ -290,7 +290,118 @@ void AddMixed(
   }
 }
 
-/** @param mean the weighted mean of d, @param height its part along n */
+/** Of the Gaussian weight, what does not need n. */
+struct NormalSums
+{
+  std::int32_t Neighbours = 0;
+  double W = 0.0;
+  Real3 B{}; ///< sum th d
+  Real3 N{};
+  Real3x3 NB{}; ///< sum v_a th_b
+  SymmetricSum<double> Spread; ///< sum th_bc, without its diagonal part
+};
+
+/** The gradient of the energy along n, and what its derivatives are made of. */
+struct EnergySums
+{
+  double G = 0.0;
+  double S = 0.0; ///< sum th phi'
+  Real3 D{}; ///< sum th phi' d
+  Real3 Steep{}; ///< sum phi grad th
+};
+
+/** The passes over the neighbours of x for the energy of Amenta and Kil, phi being 2 u - c u^3. */
+struct GaussianSamples
+{
+  const Real3& X;
+  const double* const* Rows;
+  double* Weights; ///< filled in by the first pass
+  std::size_t Count;
+  double Slope; ///< -1 / h^2, the first derivative of a weight by the weight; c is -2 of it
+
+  Real3 Away(std::size_t i) const
+  {
+    return { this->X[0] - this->Rows[0][i], this->X[1] - this->Rows[1][i],
+      this->X[2] - this->Rows[2][i] };
+  }
+  Real3 Normal(std::size_t i) const
+  {
+    return { this->Rows[3][i], this->Rows[4][i], this->Rows[5][i] };
+  }
+
+  NormalSums SumNormals(const GaussianWeight& weight, int order) const
+  {
+    NormalSums sums;
+    for (std::size_t i = 0; i < this->Count; ++i)
+    {
+      const Real3 d = this->Away(i);
+      const Real3 v = this->Normal(i);
+      const double th = weight.At(Dot(d, d));
+      this->Weights[i] = th;
+      sums.Neighbours += th > 0.0 ? 1 : 0;
+      sums.W += th;
+      sums.B = PlusScaled(sums.B, th, d);
+      sums.N = PlusScaled(sums.N, th, v);
+      for (std::size_t a = 0; order > 0 && a < 3; ++a)
+      {
+        sums.NB[a] = PlusScaled(sums.NB[a], 2.0 * this->Slope * th * v[a], d);
+      }
+      if (order > 1)
+      {
+        sums.Spread.Add(4.0 * this->Slope * this->Slope * th, d[0], d[1], d[2]);
+      }
+    }
+    return sums;
+  }
+
+  EnergySums SumEnergy(const Real3& n) const
+  {
+    EnergySums sums;
+    const double c = -2.0 * this->Slope;
+    for (std::size_t i = 0; i < this->Count; ++i)
+    {
+      const Real3 d = this->Away(i);
+      const double th = this->Weights[i];
+      const double u = Dot(d, n);
+      const double phi = u * (2.0 - c * u * u);
+      const double phi1 = 2.0 - 3.0 * c * u * u;
+      sums.G += th * phi;
+      sums.S += th * phi1;
+      sums.D = PlusScaled(sums.D, th * phi1, d);
+      sums.Steep = PlusScaled(sums.Steep, 2.0 * this->Slope * th * phi, d);
+    }
+    return sums;
+  }
+
+  /** sum (phi + contraction . v) th_bc + phi' (th_b u_c + th_c u_b) + th phi'' u_b u_c. */
+  Real3x3 SumHessian(const NormalField& field, const Real3& contraction) const
+  {
+    Real3x3 sums{};
+    const double c = -2.0 * this->Slope;
+    for (std::size_t i = 0; i < this->Count; ++i)
+    {
+      const Real3 d = this->Away(i);
+      const double th = this->Weights[i];
+      const double u = Dot(d, field.Unit);
+      const double number = u * (2.0 - c * u * u) + Dot(contraction, this->Normal(i));
+      const double mixed = 2.0 * this->Slope * (2.0 - 3.0 * c * u * u);
+      const Real3 gu = PlusScaled(TransposeTimes(field.Derivative, d), 1.0, field.Unit);
+      for (std::size_t r = 0; r < 3; ++r)
+      {
+        for (std::size_t t = 0; t < 3; ++t)
+        {
+          sums[r][t] += th *
+            (4.0 * this->Slope * this->Slope * number * d[r] * d[t] +
+              (r == t ? 2.0 * this->Slope * number : 0.0) + mixed * (d[r] * gu[t] + d[t] * gu[r]) -
+              6.0 * c * u * gu[r] * gu[t]);
+        }
+      }
+    }
+    return sums;
+  }
+};
+
+/** @param mean the weighted mean of d */
 Support Judge(double length, double weights, const Real3& mean, const Real3& n, double h)
 {
   if (length < LeastAgreement * weights)
@@ -443,56 +554,22 @@ SurfaceValue MovingLeastSquares::EvaluateUnbiased(
 SurfaceValue MovingLeastSquares::EvaluateAmentaKil(
   const Real3& x, int order, Neighbourhood& near) const
 {
-  const std::size_t count = static_cast<std::size_t>(near.Count);
-  const double* const q[3] = { near.Row(0), near.Row(1), near.Row(2) };
-  const double* const v[3] = { near.Row(3), near.Row(4), near.Row(5) };
-  double* const weights = near.Row(6);
+  const double* const rows[6] = { near.Row(0), near.Row(1), near.Row(2), near.Row(3), near.Row(4),
+    near.Row(5) };
   const GaussianWeight weight{ 1.0 / (this->H * this->H), this->R * this->R };
-  const double slope = -weight.InverseSquaredWidth; // first derivative of a weight, by the weight
-
-  double w = 0.0;
-  std::int32_t neighbours = 0;
-  Real3 b{}, n{}, wb{};
-  Real3x3 nb{};
-  SymmetricSum<double> spread;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const Real3 d{ x[0] - q[0][i], x[1] - q[1][i], x[2] - q[2][i] };
-    const double th = weight.At(Dot(d, d));
-    weights[i] = th;
-    neighbours += th > 0.0 ? 1 : 0;
-    w += th;
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      b[a] += th * d[a];
-      n[a] += th * v[a][i];
-    }
-    if (order > 0)
-    {
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        for (std::size_t c = 0; c < 3; ++c)
-        {
-          nb[a][c] += v[a][i] * 2.0 * slope * th * d[c];
-        }
-      }
-    }
-    if (order > 1)
-    {
-      spread.Add(4.0 * slope * slope * th, d[0], d[1], d[2]);
-    }
-  }
+  const GaussianSamples samples{ x, rows, near.Row(6), static_cast<std::size_t>(near.Count),
+    -weight.InverseSquaredWidth };
+  const NormalSums sums = samples.SumNormals(weight, order);
   SurfaceValue f;
-  if (neighbours < FewestNeighbours)
+  if (sums.Neighbours < FewestNeighbours)
   {
     return f;
   }
-  wb = Scaled(b, 2.0 * slope);
-  const NormalField field(n, nb);
-  const Real3 mean = Scaled(b, 1.0 / w);
+  const NormalField field(sums.N, sums.NB);
+  const Real3 mean = Scaled(sums.B, 1.0 / sums.W);
   const double height = Dot(mean, field.Unit);
   f.IsNear = true;
-  f.Where = Judge(field.Length, w, mean, field.Unit, this->H);
+  f.Where = Judge(field.Length, sums.W, mean, field.Unit, this->H);
   if (std::abs(height) > OneOverRootThree * this->H)
   {
     // Beyond its reach the sign of g says nothing; that of the height still does.
@@ -501,67 +578,31 @@ SurfaceValue MovingLeastSquares::EvaluateAmentaKil(
     f.Gradient = field.Unit;
     return f;
   }
-
-  const double c = 2.0 / (this->H * this->H);
-  double s = 0.0;
-  Real3 d1{}, steep{}; // D = sum th phi' d, and sum phi grad th
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const Real3 d{ x[0] - q[0][i], x[1] - q[1][i], x[2] - q[2][i] };
-    const double th = weights[i];
-    const double u = Dot(d, field.Unit);
-    const double phi = u * (2.0 - c * u * u);
-    const double phi1 = 2.0 - 3.0 * c * u * u;
-    f.Value += th * phi;
-    s += th * phi1;
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      d1[a] += th * phi1 * d[a];
-      steep[a] += 2.0 * slope * th * phi * d[a];
-    }
-  }
+  const EnergySums energy = samples.SumEnergy(field.Unit);
+  f.Value = energy.G;
   Real3x3 wbc{};
   if (order > 0)
   {
-    const Real3 turn = TransposeTimes(field.Derivative, d1);
+    const Real3 turn = TransposeTimes(field.Derivative, energy.D);
     for (std::size_t a = 0; a < 3; ++a)
     {
-      f.Gradient[a] = steep[a] + s * field.Unit[a] + turn[a];
+      f.Gradient[a] = energy.Steep[a] + energy.S * field.Unit[a] + turn[a];
     }
   }
   if (order > 1)
   {
-    const Real3 contraction = field.Contraction(d1);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const Real3 d{ x[0] - q[0][i], x[1] - q[1][i], x[2] - q[2][i] };
-      const double th = weights[i];
-      const double u = Dot(d, field.Unit);
-      const double number = u * (2.0 - c * u * u) + contraction[0] * v[0][i] +
-        contraction[1] * v[1][i] + contraction[2] * v[2][i];
-      const double phi1 = 2.0 - 3.0 * c * u * u;
-      const Real3 gu = PlusScaled(TransposeTimes(field.Derivative, d), 1.0, field.Unit);
-      for (std::size_t r = 0; r < 3; ++r)
-      {
-        for (std::size_t t = 0; t < 3; ++t)
-        {
-          f.Hessian[r][t] += th *
-            (4.0 * slope * slope * number * d[r] * d[t] + (r == t ? 2.0 * slope * number : 0.0) +
-              2.0 * slope * phi1 * (d[r] * gu[t] + d[t] * gu[r]) - 6.0 * c * u * gu[r] * gu[t]);
-        }
-      }
-    }
-    field.AddContracted(d1, nb, f.Hessian);
+    f.Hessian = samples.SumHessian(field, field.Contraction(energy.D));
+    field.AddContracted(energy.D, sums.NB, f.Hessian);
     for (std::size_t r = 0; r < 3; ++r)
     {
-      for (std::size_t t = 0; t < 3; ++t)
+      for (std::size_t c = 0; c < 3; ++c)
       {
-        f.Hessian[r][t] += s * (field.Derivative[r][t] + field.Derivative[t][r]);
+        f.Hessian[r][c] += energy.S * (field.Derivative[r][c] + field.Derivative[c][r]);
       }
     }
-    wbc = spread.PlusDiagonal(2.0 * slope * w);
+    wbc = sums.Spread.PlusDiagonal(2.0 * samples.Slope * sums.W);
   }
-  DivideByWeights(w, wb, wbc, order, f);
+  DivideByWeights(sums.W, Scaled(sums.B, 2.0 * samples.Slope), wbc, order, f);
   return f;
 }
 
