@@ -8,12 +8,11 @@
  * The distance is positive in front of the surface, negative behind it, zero on it. Two rules tell
  * the side:
  *
- * | rule          | closed surface                     | open surface | | ------------- |
- * ---------------------------------- | ----------------------------------------- | | Pseudonormal
- * | exact (SurfaceSide.h)              | the side of the nearest face; beyond its  | | | | rim that
- * of the rim's own faces           | | WindingNumber | exact away from the surface's own  | behind
- * where the winding number is above  | |               | overlaps, and right inside of them | a
- * half, so holes are closed softly        |
+ * - Pseudonormal: the side of the nearest face, exact on a closed surface (SurfaceSide.h). Beyond
+ *   the rim of an open one it is that of the rim's own faces.
+ * - WindingNumber: on a closed surface exact away from the surface's own overlaps, and right inside
+ *   of them, too. On an open one, behind is where the winding number is above a half, so that holes
+ *   are closed softly.
  *
  * *Closed* is what it is for a Boolean: every directed edge has its opposite, whatever number of
  * triangles share it. Features at which the first rule cannot decide (SurfaceSide.h) are decided by
