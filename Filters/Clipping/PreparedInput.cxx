@@ -11,7 +11,8 @@ namespace sbvtk
 {
 
 //------------------------------------------------------------------------------
-void PreparedInput::Read(vtkInformationVector* connections, int notASurface, sb::Executor& executor)
+void PreparedInput::Read(
+  vtkInformationVector* connections, int notASurface, double tolerance, sb::Executor& executor)
 {
   if (connections->GetNumberOfInformationObjects() == 0)
   {
@@ -32,13 +33,13 @@ void PreparedInput::Read(vtkInformationVector* connections, int notASurface, sb:
     remark.Condition = sb::Status::TooLarge;
     throw this->FailureOf(remark);
   }
-  if (this->Triangles && this->Triangles->IsConversionOf(surface))
+  if (this->Triangles && this->Triangles->IsConversionOf(surface, tolerance))
   {
     this->Triangles->SetAttributesFrom(surface);
     return;
   }
   this->Triangles.reset(); // before its successor is made, so that both never need memory together
-  this->Triangles = std::make_shared<OperandSurface>(surface, executor);
+  this->Triangles = std::make_shared<OperandSurface>(surface, executor, tolerance);
 }
 
 //------------------------------------------------------------------------------

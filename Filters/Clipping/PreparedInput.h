@@ -9,6 +9,7 @@
 
 #include "Boolean.h"
 #include "OperandSurface.h"
+#include "SurfaceConnections.h"
 #include "SurfaceInput.h"
 
 #include <memory>
@@ -19,19 +20,15 @@ class vtkInformationVector;
 namespace sbvtk
 {
 
-/** Why an update cannot go on: the field `Status`, and one sentence for the user. */
-struct Failure
-{
-  int Status;
-  std::string Sentence;
-};
+using Failure = FilterFailure;
 
 class PreparedInput
 {
 public:
-  /** Prepare what the connection delivers, unless it is what was prepared before. Throws Failure.
-   */
-  void Read(vtkInformationVector* connections, int notASurface, sb::Executor& executor);
+  /** Prepare what the connection delivers, its points moved by at most the tolerance, unless it is
+   * what was prepared before. Throws Failure. */
+  void Read(
+    vtkInformationVector* connections, int notASurface, double tolerance, sb::Executor& executor);
 
   OperandSurface& Surface() const { return *this->Triangles; }
 

@@ -178,7 +178,8 @@ void vtkPolyDataClipClosedSurface::Run::CheckSettings() const
 //------------------------------------------------------------------------------
 void vtkPolyDataClipClosedSurface::Run::ReadInput()
 {
-  this->Filter->Input->Prepared.Read(this->Inputs[0], NOT_A_SURFACE, this->Executor);
+  this->Filter->Input->Prepared.Read(
+    this->Inputs[0], NOT_A_SURFACE, this->Filter->Tolerance, this->Executor);
   this->Input = &this->Filter->Input->Prepared.Surface();
   this->EndStage("Read input");
 }
@@ -200,7 +201,6 @@ void vtkPolyDataClipClosedSurface::Run::Compute()
   request.NumberOfCells = this->Input->NumberOfPolygons() + this->Input->NumberOfStrips();
   request.Planes = this->Planes;
   request.InsideOut = this->Filter->InsideOut != 0;
-  request.Tolerance = this->Filter->Tolerance;
   request.Seams = this->Filter->PassPointData ? sb::SeamPoints::PerSide : sb::SeamPoints::Shared;
   sbvtk::KernelMonitor monitor(this->Filter, 0.05, 0.9);
   this->Result = sb::ClipSurface(request, this->Executor, monitor);

@@ -124,7 +124,7 @@ public:
   ///@{
   /**
    * How far a point may be moved, in the unit of the points, before the exact computation starts;
-   * zero or more. It never loosens a comparison. 0 by default.
+   * zero or more. Closes cracks far smaller than it. It never loosens a comparison. 0 by default.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);

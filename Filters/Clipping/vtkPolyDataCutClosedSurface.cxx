@@ -80,7 +80,8 @@ void vtkPolyDataCutClosedSurface::Run::Execute()
   try
   {
     this->CheckSettings();
-    this->Filter->Input->Prepared.Read(this->Inputs[0], NOT_A_SURFACE, this->Executor);
+    this->Filter->Input->Prepared.Read(
+      this->Inputs[0], NOT_A_SURFACE, this->Filter->Tolerance, this->Executor);
     this->EndStage("Read input");
     this->Compute();
     this->BuildPoints();
@@ -154,7 +155,6 @@ void vtkPolyDataCutClosedSurface::Run::Compute()
   std::copy_n(this->Filter->Origin, 3, request.Plane.Origin.begin());
   std::copy_n(this->Filter->Normal, 3, request.Plane.Normal.begin());
   request.Offsets = this->Filter->Offsets;
-  request.Tolerance = this->Filter->Tolerance;
   sbvtk::KernelMonitor monitor(this->Filter, 0.05, 0.9);
   this->Result = sb::CutSurface(request, this->Executor, monitor);
   this->Times.insert(this->Times.end(), this->Result.Times.begin(), this->Result.Times.end());

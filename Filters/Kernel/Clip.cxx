@@ -103,7 +103,7 @@ private:
     }
     const bool goodPlanes =
       std::all_of(this->Request.Planes.begin(), this->Request.Planes.end(), IsPlane);
-    if (!goodPlanes || !std::isfinite(this->Request.Tolerance) || this->Request.Tolerance < 0.0)
+    if (!goodPlanes)
     {
       this->Add(Status::BadRequest);
       return false;
@@ -124,7 +124,7 @@ private:
         component = -component;
       }
     }
-    this->Grid = PlaceOnLattice(bounds, this->Request.Tolerance, planes);
+    this->Grid = PlaceOnLattice(bounds, planes);
     for (const ClipPlane& plane : planes)
     {
       this->Planes.emplace_back(plane, this->Grid);

@@ -36,8 +36,6 @@ struct ClipRequest
   std::vector<ClipPlane> Planes; ///< kept is what lies in front of all
   /** Kept is what does not lie in front of all planes. */
   bool InsideOut = false;
-  /** As in BooleanRequest. */
-  double Tolerance = 0.0;
   /** PerSide: points of the input that coincide stay apart on the rim, so that each keeps its
    * attributes. */
   SeamPoints Seams = SeamPoints::Shared;

@@ -236,8 +236,7 @@ private:
     }
     const bool goodOffsets = std::all_of(this->Request.Offsets.begin(), this->Request.Offsets.end(),
       [](double offset) { return std::isfinite(offset); });
-    if (!IsPlane(this->Request.Plane) || !goodOffsets || !std::isfinite(this->Request.Tolerance) ||
-      this->Request.Tolerance < 0.0)
+    if (!IsPlane(this->Request.Plane) || !goodOffsets)
     {
       this->Add(Status::BadRequest);
       return false;
@@ -272,7 +271,7 @@ private:
   {
     std::vector<ClipPlane> planes = this->PlacePlanes();
     const MeshBounds bounds = FindBounds(this->Mesh, this->Threads);
-    this->Grid = PlaceOnLattice(bounds, this->Request.Tolerance, planes);
+    this->Grid = PlaceOnLattice(bounds, planes);
     for (const ClipPlane& plane : planes)
     {
       this->Planes.emplace_back(plane, this->Grid);

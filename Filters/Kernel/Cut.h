@@ -29,7 +29,6 @@ struct CutRequest
   ClipPlane Plane;
   /** Where the planes lie: distances along the normal, in the unit of the points. */
   std::vector<double> Offsets{ 0.0 };
-  double Tolerance = 0.0; ///< as in BooleanRequest
 };
 
 /** A connected part of a cross-section, with its holes. */

@@ -43,24 +43,6 @@ struct Lattice
     return Lattice::WithExponent(bits - binade);
   }
 
-  /**
-   * The finest lattice, or a coarser one whose rounding moves no point by more than the tolerance:
-   * what is closer together than the tolerance then tends to coincide, in every predicate alike.
-   */
-  static Lattice ForTolerance(double maxAbsCoordinate, double tolerance)
-  {
-    const Lattice finest = Lattice::ForMagnitude(maxAbsCoordinate);
-    if (!(tolerance > 0.0))
-    {
-      return finest;
-    }
-    // Rounding moves a point by at most half a step along each axis.
-    const double coarsestStep = 2.0 * tolerance / std::sqrt(3.0);
-    int binade = 0;
-    std::frexp(coarsestStep, &binade);
-    return 1 - binade < finest.Exponent ? Lattice::WithExponent(1 - binade) : finest;
-  }
-
   static Lattice WithExponent(int exponent)
   {
     Lattice lattice;

@@ -102,7 +102,7 @@ MeshBounds FindBounds(const Surface& mesh, Executor& executor)
   return all;
 }
 
-Lattice PlaceOnLattice(const MeshBounds& bounds, double tolerance, std::vector<ClipPlane>& planes)
+Lattice PlaceOnLattice(const MeshBounds& bounds, std::vector<ClipPlane>& planes)
 {
   const double magnitude = std::max(Largest(bounds.Low), Largest(bounds.High));
   std::array<double, 3> center;
@@ -122,7 +122,7 @@ Lattice PlaceOnLattice(const MeshBounds& bounds, double tolerance, std::vector<C
       largest = std::max(largest, Largest(plane.Origin));
     }
   }
-  return Lattice::ForTolerance(largest, tolerance);
+  return Lattice::ForMagnitude(largest);
 }
 
 } // namespace sb

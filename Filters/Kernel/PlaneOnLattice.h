@@ -33,7 +33,7 @@ MeshBounds FindBounds(const Surface& mesh, Executor& executor);
  * The lattice for a mesh within the bounds. A plane's origin that is far from them is moved along
  * its plane, and towards them if the plane misses them altogether.
  */
-Lattice PlaceOnLattice(const MeshBounds& bounds, double tolerance, std::vector<ClipPlane>& planes);
+Lattice PlaceOnLattice(const MeshBounds& bounds, std::vector<ClipPlane>& planes);
 
 } // namespace sb
 

@@ -227,6 +227,16 @@ def test_bad_planes_and_tolerances_are_refused():
     refused(clip(body, Tolerance=np.inf), 10, "Tolerance")
 
 
+def test_a_tolerance_closes_cracks():
+    closed = meshes.icosphere(3)
+    noise = np.random.default_rng(1).uniform(-1e-7, 1e-7, (3 * len(closed.triangles), 3))
+    cracked = meshes.mesh(closed.points[closed.triangles.ravel()] + noise, np.arange(len(noise)).reshape(-1, 3))
+    result = clip(cracked, ABOVE, Tolerance=1e-4)
+    assert measures.open_edges(result.body) == 0
+    assert result.volume == pytest.approx(clip(closed, ABOVE).volume, abs=1e-3)
+    assert measures.open_edges(clip(cracked, ABOVE).body) > 0
+
+
 def test_bad_surfaces_are_refused():
     body = meshes.cube(2.0)
     points = body.points.copy()
