@@ -29,8 +29,12 @@ fi
 # shellcheck disable=SC2086 # each word of it is an argument of its own
 "$venv/bin/python" -m pip install --quiet --disable-pip-version-check --no-deps $requirements
 
-if ! ldconfig -p | grep -q libusb-1.0; then
-  echo "Open3D cannot take part: it wants the package libusb-1.0-0." >&2
+if ! ldconfig -p | grep -q libusb-1.0; then # Open3D links it
+  if [ "$(id -u)" -eq 0 ]; then
+    apt-get install -y -qq --no-install-recommends libusb-1.0-0
+  else
+    echo "Open3D cannot take part: install the package libusb-1.0-0." >&2
+  fi
 fi
 
 PYTHONDONTWRITEBYTECODE=1

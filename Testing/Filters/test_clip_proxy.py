@@ -3,7 +3,7 @@
 """Clip, cut and contour triangulator as paraview.simple and the menus know them, and through state files."""
 
 import pytest
-from paraview import simple, smstate
+from paraview import simple, smstate, smtrace
 
 PROPERTIES = {
     "ClosedSurfaceClip": {
@@ -118,6 +118,21 @@ def test_the_table_of_planes_survives_a_state_file(kind, tmp_path):
     assert list(clip.Planes) == TABLE and clip.ScalarMode == "Labels"
     assert list(cut.Offsets) == [-0.1, 0.0, 0.1]
     assert (sources(clip), volume(clip), sources(cut)) == expected
+
+
+def test_the_table_of_planes_survives_a_trace():
+    """What is written down when a filter is made and its properties are applied, run as a script."""
+    box = simple.Box(registrationName="Body")
+    smtrace.start_trace()
+    clip = simple.ClosedSurfaceClip(registrationName="Clipped", Input=box)
+    applied = smtrace.PropertiesModified(clip)
+    clip.Planes = TABLE
+    applied.finalize()
+    trace = smtrace.stop_trace()
+    simple.Delete(clip)
+    assert simple.FindSource("Clipped") is None
+    exec(compile(trace, "trace", "exec"), {})
+    assert list(simple.FindSource("Clipped").Planes) == TABLE
 
 
 def test_a_series_of_cross_sections_and_their_outlines_filled_again():
