@@ -196,15 +196,20 @@ def exit_code(results):
     return 1 if "ours" in bad else 2 if bad else 0
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def read_arguments(description):
+    """What run.sh passes on to every comparison."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true", help="small inputs, to try the harness")
     parser.add_argument("--peers", choices=("permissive", "all"), default="permissive", help="who takes part")
     parser.add_argument("--only", nargs="+", metavar="TEXT", help="cases whose name contains one of these texts")
     parser.add_argument("--without-ours", action="store_true", help="peers alone; needs no build of ours")
     parser.add_argument("--environment", type=Path, default=Path("build/env.sh"), help="made by `make build`")
     parser.add_argument("--output", type=Path, default=Path("build/bench.json"), help="all measurements")
-    arguments = parser.parse_args()
+    return parser.parse_args()
+
+
+def main():
+    arguments = read_arguments(__doc__)
 
     def takes_part(name):
         if name == "ours":

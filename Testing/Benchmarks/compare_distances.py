@@ -9,7 +9,6 @@ that is off by more than single precision allows, or a wrong sign.
 The exit code is 0 if all were right, 1 if ours was not, 2 if only a peer was not.
 """
 
-import argparse
 import json
 import shutil
 import sys
@@ -18,7 +17,7 @@ from statistics import median
 
 import numpy as np
 
-from compare import Worker
+from compare import Worker, read_arguments
 from distance_cases import all_distance_cases
 
 REPETITIONS = 3
@@ -97,14 +96,7 @@ def exit_code(results):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--quick", action="store_true", help="small inputs, to try the harness")
-    parser.add_argument("--peers", choices=("permissive", "all"), default="permissive", help="who takes part")
-    parser.add_argument("--only", nargs="+", metavar="TEXT", help="cases whose name contains one of these texts")
-    parser.add_argument("--without-ours", action="store_true", help="peers alone; needs no build of ours")
-    parser.add_argument("--environment", type=Path, default=Path("build/env.sh"), help="made by `make build`")
-    parser.add_argument("--output", type=Path, default=Path("build/bench.json"), help="beside it: bench-distances.json")
-    arguments = parser.parse_args()
+    arguments = read_arguments(__doc__)
 
     def takes_part(name):
         if name.startswith("ours"):

@@ -86,8 +86,48 @@ def arrays_of(attributes):
     return result
 
 
+def bytes_of(*surfaces):
+    """Everything of vtkPolyData that must not depend on the number of threads."""
+    parts = []
+    for data in surfaces:
+        parts.append(points_of(data).tobytes())
+        for cells in (data.GetPolys(), data.GetLines()):
+            parts += [array.tobytes() for array in cells_of(cells)]
+        for attributes in (data.GetPointData(), data.GetCellData()):
+            for name, array in sorted(arrays_of(attributes).items()):
+                parts += [name.encode(), np.asarray(array).tobytes()]
+    return b"|".join(parts)
+
+
+def heard_from(tested):
+    """Update a filter; the errors and the warnings that it and its executive tell meanwhile."""
+    heard = {"ErrorEvent": [], "WarningEvent": []}
+
+    @calldata_type(VTK_STRING)
+    def listen(_, event, text):
+        heard[event].append(text)
+
+    for watched in (tested, tested.GetExecutive()):
+        for event in heard:
+            watched.AddObserver(event, listen)
+    tested.Update()
+    return heard["ErrorEvent"], heard["WarningEvent"]
+
+
+class Reported:
+    """Something with the field data in which every filter says how it went."""
+
+    @property
+    def status(self):
+        return int(self.field_data["Status"][0])
+
+    @property
+    def message(self):
+        return self.field_data["Message"][0]
+
+
 @dataclass
-class Result:
+class Result(Reported):
     """What came out of the filter, as plain arrays."""
 
     surface: vtkPolyData
@@ -98,14 +138,6 @@ class Result:
     field_data: dict
     errors: list = field(default_factory=list)
     warnings: list = field(default_factory=list)
-
-    @property
-    def status(self):
-        return int(self.field_data["Status"][0])
-
-    @property
-    def message(self):
-        return self.field_data["Message"][0]
 
     @property
     def volume(self):
@@ -127,15 +159,7 @@ class Result:
 
     def bytes(self):
         """Everything that must not depend on the number of threads."""
-        parts = []
-        for data in (self.surface, self.curves):
-            parts.append(points_of(data).tobytes())
-            for cells in (data.GetPolys(), data.GetLines()):
-                parts += [array.tobytes() for array in cells_of(cells)]
-            for attributes in (data.GetPointData(), data.GetCellData()):
-                for name, array in sorted(arrays_of(attributes).items()):
-                    parts += [name.encode(), np.asarray(array).tobytes()]
-        return b"|".join(parts)
+        return bytes_of(self.surface, self.curves)
 
 
 def boolean(inputs, tools, operation, number_of_threads=None, **settings):
@@ -157,16 +181,7 @@ def boolean(inputs, tools, operation, number_of_threads=None, **settings):
 
 def update(tested):
     """Update a filter and collect what it gives and says."""
-    heard = {"ErrorEvent": [], "WarningEvent": []}
-
-    @calldata_type(VTK_STRING)
-    def listen(_, event, text):
-        heard[event].append(text)
-
-    for watched in (tested, tested.GetExecutive()):
-        for event in heard:
-            watched.AddObserver(event, listen)
-    tested.Update()
+    errors, warnings = heard_from(tested)
     surface, curves = tested.GetOutputDataObject(0), tested.GetOutputDataObject(1)
     return Result(
         surface,
@@ -175,8 +190,8 @@ def update(tested):
         arrays_of(surface.GetCellData()),
         arrays_of(surface.GetPointData()),
         arrays_of(surface.GetFieldData()),
-        heard["ErrorEvent"],
-        heard["WarningEvent"],
+        errors,
+        warnings,
     )
 
 

@@ -5,13 +5,11 @@
 from dataclasses import dataclass, field
 
 import numpy as np
-from vtkmodules.util.misc import calldata_type
-from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPlaneCollection, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 
 import measures
-from booleans import arrays_of, cells_of, points_of, polydata, triangles_of
+from booleans import Reported, arrays_of, bytes_of, heard_from, polydata, triangles_of
 from meshes import Mesh
 
 
@@ -31,7 +29,7 @@ def turned_planes(planes):
 
 
 @dataclass
-class Clipped:
+class Clipped(Reported):
     """What came out of a filter, as plain arrays."""
 
     surface: vtkPolyData
@@ -42,14 +40,6 @@ class Clipped:
     field_data: dict
     errors: list = field(default_factory=list)
     warnings: list = field(default_factory=list)
-
-    @property
-    def status(self):
-        return int(self.field_data["Status"][0])
-
-    @property
-    def message(self):
-        return self.field_data["Message"][0]
 
     @property
     def volume(self):
@@ -63,29 +53,12 @@ class Clipped:
         return {point.tobytes() for point in corners}
 
     def bytes(self):
-        parts = []
-        for data in (self.surface, self.outline):
-            parts.append(points_of(data).tobytes())
-            for cells in (data.GetPolys(), data.GetLines()):
-                parts += [array.tobytes() for array in cells_of(cells)]
-            for attributes in (data.GetPointData(), data.GetCellData()):
-                for name, array in sorted(arrays_of(attributes).items()):
-                    parts += [name.encode(), np.asarray(array).tobytes()]
-        return b"|".join(parts)
+        return bytes_of(self.surface, self.outline)
 
 
 def update(tested):
     """Update a filter and collect what it gives and says."""
-    heard = {"ErrorEvent": [], "WarningEvent": []}
-
-    @calldata_type(VTK_STRING)
-    def listen(_, event, text):
-        heard[event].append(text)
-
-    for watched in (tested, tested.GetExecutive()):
-        for event in heard:
-            watched.AddObserver(event, listen)
-    tested.Update()
+    errors, warnings = heard_from(tested)
     surface = tested.GetOutputDataObject(0)
     outline = tested.GetOutputDataObject(1) if tested.GetNumberOfOutputPorts() > 1 else surface
     return Clipped(
@@ -95,8 +68,8 @@ def update(tested):
         arrays_of(surface.GetCellData()),
         arrays_of(surface.GetPointData()),
         arrays_of(surface.GetFieldData()),
-        heard["ErrorEvent"],
-        heard["WarningEvent"],
+        errors,
+        warnings,
     )
 
 

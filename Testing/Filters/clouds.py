@@ -6,13 +6,11 @@ import tarfile
 from dataclasses import dataclass, field
 
 import numpy as np
-from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from booleans import arrays_of, points_of, triangles_of
+from booleans import arrays_of, heard_from, points_of, triangles_of
 from meshes import CGAL_DATA
 
 
@@ -129,16 +127,7 @@ def run(data, **settings):
 
 
 def update(tested):
-    heard = {"ErrorEvent": [], "WarningEvent": []}
-
-    @calldata_type(VTK_STRING)
-    def listen(_, event, text):
-        heard[event].append(text)
-
-    for watched in (tested, tested.GetExecutive()):
-        for event in heard:
-            watched.AddObserver(event, listen)
-    tested.Update()
+    errors, warnings = heard_from(tested)
     points, mesh = tested.GetOutputDataObject(0), tested.GetOutputDataObject(1)
     return Result(
         points,
@@ -148,8 +137,8 @@ def update(tested):
         mesh,
         triangles_of(mesh)[0],
         arrays_of(mesh.GetPointData()),
-        heard["ErrorEvent"],
-        heard["WarningEvent"],
+        errors,
+        warnings,
     )
 
 

@@ -2,10 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the distance filter and the implicit function on meshes."""
 
-from vtkmodules.util.misc import calldata_type
-from vtkmodules.util.vtkConstants import VTK_STRING
-
-from booleans import arrays_of, polydata
+from booleans import arrays_of, heard_from, polydata
 from meshes import Mesh, mesh
 from surfacebooleans.vtk import vtkImplicitPolyData, vtkPolyDataDistance
 
@@ -43,16 +40,8 @@ def quietly(points, tool, **settings):
 
 
 def listened_to(tested):
-    tested.heard = {"ErrorEvent": [], "WarningEvent": []}
-
-    @calldata_type(VTK_STRING)
-    def listen(_, event, text):
-        tested.heard[event].append(text)
-
-    for watched in (tested, tested.GetExecutive()):
-        for event in tested.heard:
-            watched.AddObserver(event, listen)
-    tested.Update()
+    errors, warnings = heard_from(tested)
+    tested.heard = {"ErrorEvent": errors, "WarningEvent": warnings}
     return tested
 
 

@@ -5,12 +5,10 @@
 from dataclasses import dataclass, field
 
 import numpy as np
-from vtkmodules.util.misc import calldata_type
-from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 import measures
-from booleans import arrays_of, cells_of, points_of, polydata, triangles_of
+from booleans import Reported, arrays_of, bytes_of, cells_of, heard_from, points_of, polydata, triangles_of
 from meshes import Mesh, mesh
 
 
@@ -69,7 +67,7 @@ class Split:
 
 
 @dataclass
-class Cut:
+class Cut(Reported):
     """What came out of the filter."""
 
     curves: vtkPolyData
@@ -78,14 +76,6 @@ class Cut:
     field_data: dict
     errors: list = field(default_factory=list)
     warnings: list = field(default_factory=list)
-
-    @property
-    def status(self):
-        return int(self.field_data["Status"][0])
-
-    @property
-    def message(self):
-        return self.field_data["Message"][0]
 
     @property
     def length(self):
@@ -119,15 +109,8 @@ class Cut:
 
     def bytes(self):
         """Everything that must not depend on the number of threads."""
-        parts = [np.asarray(self.field_data.get("SegmentCellIds", [])).tobytes()]
-        for data in (self.curves, *(split.data for split in self.splits)):
-            parts.append(points_of(data).tobytes())
-            for cells in (data.GetPolys(), data.GetLines()):
-                parts += [array.tobytes() for array in cells_of(cells)]
-            for attributes in (data.GetPointData(), data.GetCellData()):
-                for name, array in sorted(arrays_of(attributes).items()):
-                    parts += [name.encode(), np.asarray(array).tobytes()]
-        return b"|".join(parts)
+        makers = np.asarray(self.field_data.get("SegmentCellIds", [])).tobytes()
+        return makers + b"|" + bytes_of(self.curves, *(split.data for split in self.splits))
 
 
 def intersection(first, second=None, number_of_threads=None, **settings):
@@ -147,24 +130,15 @@ def intersection(first, second=None, number_of_threads=None, **settings):
 
 def update(tested):
     """Update a filter and collect what it gives and says."""
-    heard = {"ErrorEvent": [], "WarningEvent": []}
-
-    @calldata_type(VTK_STRING)
-    def listen(_, event, text):
-        heard[event].append(text)
-
-    for watched in (tested, tested.GetExecutive()):
-        for event in heard:
-            watched.AddObserver(event, listen)
-    tested.Update()
+    errors, warnings = heard_from(tested)
     curves = tested.GetOutputDataObject(0)
     return Cut(
         curves,
         [Split(tested.GetOutputDataObject(port)) for port in (1, 2)],
         arrays_of(curves.GetCellData()),
         arrays_of(curves.GetFieldData()),
-        heard["ErrorEvent"],
-        heard["WarningEvent"],
+        errors,
+        warnings,
     )
 
 

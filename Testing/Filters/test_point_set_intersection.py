@@ -5,13 +5,11 @@
 import numpy as np
 import pytest
 from paraview import simple
-from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkPlane, vtkTable
 
 import clouds
-from booleans import arrays_of, cells_of, points_of
+from booleans import arrays_of, cells_of, heard_from, points_of
 
 OK, BAD_REQUEST, NOT_POINTS, TOO_FEW_POINTS = 0, 10, 20, 30
 
@@ -21,13 +19,6 @@ def section(data, origin=(0, 0, 0), normal=(0, 0, 1), **settings):
     from surfacebooleans.vtk import vtkPointSetIntersectionFilter
 
     tested = vtkPointSetIntersectionFilter()
-    errors = []
-
-    @calldata_type(VTK_STRING)
-    def listen(_, __, text):
-        errors.append(text)
-
-    tested.AddObserver("ErrorEvent", listen)
     if normal is not None:
         plane = vtkPlane()
         plane.SetOrigin(origin)
@@ -37,7 +28,7 @@ def section(data, origin=(0, 0, 0), normal=(0, 0, 1), **settings):
         getattr(tested, "Set" + name)(value)
     if data is not None:
         tested.SetInputDataObject(0, data)
-    tested.Update()
+    errors, _ = heard_from(tested)
     return tested.GetOutput(), errors
 
 
