@@ -11,6 +11,7 @@
 #include "KernelExecutor.h"
 #include "PlaneOnLattice.h"
 #include "PreparedInput.h"
+#include "Stopwatch.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -30,7 +31,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <new>
 #include <string>
@@ -70,14 +70,13 @@ private:
   bool IsFloat() const;
   void Warn(const sbvtk::AttributeUnion& attributes);
   void AddFields(int status, const std::string& message);
-  void EndStage(const char* name);
 
   vtkPolyDataClipClosedSurface* Filter;
   vtkInformationVector** Inputs;
   vtkPolyData* Surface;
   vtkPolyData* Outline;
   sbvtk::KernelExecutor Executor;
-  std::chrono::steady_clock::time_point StageStart = std::chrono::steady_clock::now();
+  sbvtk::Stopwatch Watch;
   sbvtk::OperandSurface* Input = nullptr;
   std::vector<sb::ClipPlane> Planes;
   sb::ClipResult Result;
@@ -181,15 +180,7 @@ void vtkPolyDataClipClosedSurface::Run::ReadInput()
   this->Filter->Input->Prepared.Read(
     this->Inputs[0], NOT_A_SURFACE, this->Filter->Tolerance, this->Executor);
   this->Input = &this->Filter->Input->Prepared.Surface();
-  this->EndStage("Read input");
-}
-
-//------------------------------------------------------------------------------
-void vtkPolyDataClipClosedSurface::Run::EndStage(const char* name)
-{
-  const auto now = std::chrono::steady_clock::now();
-  this->Times.push_back({ name, std::chrono::duration<double>(now - this->StageStart).count() });
-  this->StageStart = now;
+  this->Times.push_back({ "Read input", this->Watch.Lap() });
 }
 
 //------------------------------------------------------------------------------
@@ -205,7 +196,7 @@ void vtkPolyDataClipClosedSurface::Run::Compute()
   sbvtk::KernelMonitor monitor(this->Filter, 0.05, 0.9);
   this->Result = sb::ClipSurface(request, this->Executor, monitor);
   this->Times.insert(this->Times.end(), this->Result.Times.begin(), this->Result.Times.end());
-  this->StageStart = std::chrono::steady_clock::now();
+  this->Watch.Lap();
   if (sb::IsError(this->Result.Condition))
   {
     throw this->Filter->Input->Prepared.FailureOf(this->Result.Remarks.front());
@@ -229,7 +220,7 @@ void vtkPolyDataClipClosedSurface::Run::BuildOutputs()
 {
   this->Build(this->Surface, this->Lines, this->Filter->GenerateFaces != 0);
   this->Build(this->Outline, this->Lines, false);
-  this->EndStage("Build outputs");
+  this->Times.push_back({ "Build outputs", this->Watch.Lap() });
   if (this->Input->NumberOfPolygons() + this->Input->NumberOfStrips() == 0 &&
     this->Lines.NumberOfLines() == 0)
   {
@@ -353,20 +344,12 @@ void vtkPolyDataClipClosedSurface::Run::AddFields(int status, const std::string&
   {
     this->Surface->GetFieldData()->PassData(first->GetFieldData());
   }
-  std::vector<std::string> stageNames;
-  std::vector<double> stageSeconds;
-  for (const sb::StageTime& time : this->Times)
-  {
-    stageNames.emplace_back(time.Name);
-    stageSeconds.push_back(time.Seconds);
-  }
-  sbvtk::AddField<vtkIntArray>(this->Surface, "Status", std::vector<int>{ status });
-  sbvtk::AddField<vtkStringArray>(this->Surface, "Message", std::vector<std::string>{ message });
+  sbvtk::AddField(this->Surface, "Status", status);
+  sbvtk::AddField(this->Surface, "Message", message);
   sbvtk::AddField<vtkIdTypeArray>(this->Surface, "OpenContourCount",
     std::vector<vtkIdType>{ static_cast<vtkIdType>(this->Result.OpenContours) });
   sbvtk::AddField<vtkDoubleArray>(this->Surface, "CapArea", this->Result.CapAreas);
-  sbvtk::AddField<vtkStringArray>(this->Surface, "StageNames", stageNames);
-  sbvtk::AddField<vtkDoubleArray>(this->Surface, "StageSeconds", stageSeconds);
+  sbvtk::AddStageFields(this->Surface, this->Times);
 }
 
 //------------------------------------------------------------------------------

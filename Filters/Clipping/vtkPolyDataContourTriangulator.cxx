@@ -219,8 +219,8 @@ void vtkPolyDataContourTriangulator::Run::Report()
 void vtkPolyDataContourTriangulator::Run::AddFields(int status, const std::string& message)
 {
   this->Output->GetFieldData()->PassData(this->Input->GetFieldData());
-  sbvtk::AddField<vtkIntArray>(this->Output, "Status", std::vector<int>{ status });
-  sbvtk::AddField<vtkStringArray>(this->Output, "Message", std::vector<std::string>{ message });
+  sbvtk::AddField(this->Output, "Status", status);
+  sbvtk::AddField(this->Output, "Message", message);
   sbvtk::AddField<vtkIdTypeArray>(this->Output, "PolygonCount",
     std::vector<vtkIdType>{ static_cast<vtkIdType>(this->Result.Nesting.size()) });
 }

@@ -8,6 +8,7 @@
 #include "KernelExecutor.h"
 #include "PlaneOnLattice.h"
 #include "PreparedInput.h"
+#include "Stopwatch.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -26,7 +27,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <new>
 #include <string>
@@ -62,13 +62,12 @@ private:
   void AddCellArrays(const std::vector<std::int32_t>& polygons);
   void Report();
   void AddFields(int status, const std::string& message);
-  void EndStage(const char* name);
 
   vtkPolyDataCutClosedSurface* Filter;
   vtkInformationVector** Inputs;
   vtkPolyData* Caps;
   sbvtk::KernelExecutor Executor;
-  std::chrono::steady_clock::time_point StageStart = std::chrono::steady_clock::now();
+  sbvtk::Stopwatch Watch;
   sb::CutResult Result;
   std::vector<sb::StageTime> Times;
 };
@@ -82,11 +81,11 @@ void vtkPolyDataCutClosedSurface::Run::Execute()
     this->CheckSettings();
     this->Filter->Input->Prepared.Read(
       this->Inputs[0], NOT_A_SURFACE, this->Filter->Tolerance, this->Executor);
-    this->EndStage("Read input");
+    this->Times.push_back({ "Read input", this->Watch.Lap() });
     this->Compute();
     this->BuildPoints();
     this->Filter->Triangulate ? this->BuildTriangles() : this->BuildOutlines();
-    this->EndStage("Build output");
+    this->Times.push_back({ "Build output", this->Watch.Lap() });
     this->Report();
     return;
   }
@@ -137,14 +136,6 @@ void vtkPolyDataCutClosedSurface::Run::CheckSettings() const
 }
 
 //------------------------------------------------------------------------------
-void vtkPolyDataCutClosedSurface::Run::EndStage(const char* name)
-{
-  const auto now = std::chrono::steady_clock::now();
-  this->Times.push_back({ name, std::chrono::duration<double>(now - this->StageStart).count() });
-  this->StageStart = now;
-}
-
-//------------------------------------------------------------------------------
 void vtkPolyDataCutClosedSurface::Run::Compute()
 {
   sb::CutRequest request;
@@ -158,7 +149,7 @@ void vtkPolyDataCutClosedSurface::Run::Compute()
   sbvtk::KernelMonitor monitor(this->Filter, 0.05, 0.9);
   this->Result = sb::CutSurface(request, this->Executor, monitor);
   this->Times.insert(this->Times.end(), this->Result.Times.begin(), this->Result.Times.end());
-  this->StageStart = std::chrono::steady_clock::now();
+  this->Watch.Lap();
   if (sb::IsError(this->Result.Condition))
   {
     throw this->Filter->Input->Prepared.FailureOf(this->Result.Remarks.front());
@@ -303,22 +294,14 @@ void vtkPolyDataCutClosedSurface::Run::AddFields(int status, const std::string& 
   {
     areas[static_cast<std::size_t>(polygon.Plane)] += polygon.Area;
   }
-  std::vector<std::string> stageNames;
-  std::vector<double> stageSeconds;
-  for (const sb::StageTime& time : this->Times)
-  {
-    stageNames.emplace_back(time.Name);
-    stageSeconds.push_back(time.Seconds);
-  }
-  sbvtk::AddField<vtkIntArray>(this->Caps, "Status", std::vector<int>{ status });
-  sbvtk::AddField<vtkStringArray>(this->Caps, "Message", std::vector<std::string>{ message });
+  sbvtk::AddField(this->Caps, "Status", status);
+  sbvtk::AddField(this->Caps, "Message", message);
   sbvtk::AddField<vtkIdTypeArray>(this->Caps, "OpenContourCount",
     std::vector<vtkIdType>{ static_cast<vtkIdType>(this->Result.OpenContours) });
   sbvtk::AddField<vtkIdTypeArray>(this->Caps, "PolygonCount",
     std::vector<vtkIdType>{ static_cast<vtkIdType>(this->Result.Polygons.size()) });
   sbvtk::AddField<vtkDoubleArray>(this->Caps, "SliceArea", areas);
-  sbvtk::AddField<vtkStringArray>(this->Caps, "StageNames", stageNames);
-  sbvtk::AddField<vtkDoubleArray>(this->Caps, "StageSeconds", stageSeconds);
+  sbvtk::AddStageFields(this->Caps, this->Times);
 }
 
 //------------------------------------------------------------------------------

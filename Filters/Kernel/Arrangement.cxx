@@ -4,6 +4,7 @@
 
 #include "FaceTriangulation.h"
 #include "Hash.h"
+#include "HilbertCurve.h"
 #include "ParallelSort.h"
 
 #include <algorithm>
@@ -309,28 +310,6 @@ private:
         HilbertIndex(static_cast<std::uint32_t>(std::clamp((p[u] - low[0]) * scale, 0.0, 65535.0)),
           static_cast<std::uint32_t>(std::clamp((p[v] - low[1]) * scale, 0.0, 65535.0)));
     }
-  }
-
-  /** The place of a point along a Hilbert curve over a grid of 2^16 cells a side. */
-  static std::uint64_t HilbertIndex(std::uint32_t x, std::uint32_t y)
-  {
-    std::uint64_t index = 0;
-    for (std::uint32_t side = 1u << 15; side > 0; side >>= 1)
-    {
-      const std::uint32_t right = (x & side) ? 1 : 0;
-      const std::uint32_t upper = (y & side) ? 1 : 0;
-      index += std::uint64_t(side) * side * ((3 * right) ^ upper);
-      if (!upper)
-      {
-        if (right)
-        {
-          x = 65535u - x;
-          y = 65535u - y;
-        }
-        std::swap(x, y);
-      }
-    }
-    return index;
   }
 
   int VertexOfEnd(const Contact& contact, int end) const

@@ -3,6 +3,7 @@
 #include "CapTriangulation.h"
 
 #include "FaceTriangulation.h"
+#include "HilbertCurve.h"
 #include "Lattice.h"
 
 #include <algorithm>
@@ -15,28 +16,6 @@ namespace sb
 
 namespace
 {
-
-/** The place of a point of a 2^16 x 2^16 grid on D. Hilbert's curve. */
-std::uint64_t HilbertIndex(std::uint32_t x, std::uint32_t y)
-{
-  std::uint64_t index = 0;
-  for (std::uint32_t side = 1u << 15; side > 0; side /= 2)
-  {
-    const std::uint32_t right = (x & side) != 0 ? 1 : 0;
-    const std::uint32_t upper = (y & side) != 0 ? 1 : 0;
-    index += std::uint64_t(side) * side * ((3 * right) ^ upper);
-    if (upper == 0)
-    {
-      if (right != 0)
-      {
-        x = ~x;
-        y = ~y;
-      }
-      std::swap(x, y);
-    }
-  }
-  return index;
-}
 
 class ContourFiller : private ConstraintSource
 {

@@ -10,15 +10,15 @@
 #include "ClipPoints.h"
 #include "FaceClip.h"
 #include "FaceRemainder.h"
+#include "Ingest.h"
 #include "ManifoldEdges.h"
 #include "PlaneOnLattice.h"
 #include "PolygonCutting.h"
+#include "Stages.h"
 #include "VertexSides.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
 
@@ -46,7 +46,7 @@ public:
     : Request(request)
     , Mesh(request.Mesh)
     , Threads(executor)
-    , Listener(monitor)
+    , Laps(this->Result.Times, this->Result.Remarks, monitor)
   {
   }
 
@@ -54,11 +54,7 @@ public:
   {
     const bool good = this->Check() && this->FindSides() && this->FindFates() && this->CutFaces() &&
       this->MakeCaps() && this->MakeOutput();
-    this->Result.Condition = Status::Ok;
-    for (const Remark& remark : this->Result.Remarks)
-    {
-      this->Result.Condition = std::max(this->Result.Condition, remark.Condition);
-    }
+    this->Result.Condition = GravestCondition(this->Result.Remarks);
     if (!good)
     {
       ClipResult empty;
@@ -77,26 +73,9 @@ private:
     return this->Result.Remarks.back();
   }
 
-  /** End a stage. @return false if the caller wants to stop. */
-  bool EndStage(const char* name, double fraction)
-  {
-    const auto now = std::chrono::steady_clock::now();
-    this->Result.Times.push_back(
-      { name, std::chrono::duration<double>(now - this->StageStart).count() });
-    this->StageStart = now;
-    this->Listener.Progress(fraction, name);
-    if (this->Listener.Aborted())
-    {
-      this->Add(Status::Aborted);
-      return false;
-    }
-    return true;
-  }
-
   bool Check()
   {
-    constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max() / 4;
-    if (this->Mesh.NumberOfTriangles > most || this->Mesh.NumberOfPoints > most)
+    if (IsTooLarge(this->Mesh))
     {
       this->Add(Status::TooLarge);
       return false;
@@ -130,7 +109,7 @@ private:
       this->Planes.emplace_back(plane, this->Grid);
     }
     this->Sides = FindVertexSides(this->Mesh, this->Grid, this->Planes, this->Threads);
-    return this->EndStage("Sides", 0.3);
+    return this->Laps.End("Sides", 0.3);
   }
 
   bool FindFates()
@@ -150,7 +129,7 @@ private:
     }
     this->Touched = faces.Touched;
     this->NumberKept();
-    return this->EndStage("Fates", 0.6);
+    return this->Laps.End("Fates", 0.6);
   }
 
   /** Give the points that are kept their ids. */
@@ -242,7 +221,7 @@ private:
         }
         std::for_each(begin, end, [&](std::int32_t face) { this->CutFace(clip, face); });
       });
-    return this->EndStage("Cuts", 0.7);
+    return this->Laps.End("Cuts", 0.7);
   }
 
   bool MakeCaps()
@@ -254,7 +233,7 @@ private:
     {
       this->FillCap(plane);
     }
-    return this->EndStage("Caps", 0.9);
+    return this->Laps.End("Caps", 0.9);
   }
 
   void FillCap(std::int32_t plane)
@@ -303,7 +282,7 @@ private:
     }
     this->Separate();
     this->MeasureCaps();
-    return this->EndStage("Pieces", 1.0);
+    return this->Laps.End("Pieces", 1.0);
   }
 
   void MeasureCaps()
@@ -544,9 +523,8 @@ private:
   const ClipRequest& Request;
   const Surface& Mesh;
   Executor& Threads;
-  Monitor& Listener;
-  std::chrono::steady_clock::time_point StageStart = std::chrono::steady_clock::now();
   ClipResult Result;
+  StageLaps Laps;
 
   Lattice Grid;
   std::vector<HalfSpace> Planes;

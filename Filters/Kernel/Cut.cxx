@@ -9,10 +9,11 @@
 #include "CellGroups.h"
 #include "ClipPoints.h"
 #include "FaceClip.h"
+#include "Ingest.h"
 #include "PlaneOnLattice.h"
+#include "Stages.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -188,6 +189,7 @@ public:
     , Mesh(request.Mesh)
     , Threads(executor)
     , Listener(monitor)
+    , Laps(this->Result.Times, this->Result.Remarks, monitor)
   {
   }
 
@@ -211,25 +213,9 @@ private:
     return this->Result.Remarks.back();
   }
 
-  bool EndStage(const char* name, double fraction)
-  {
-    const auto now = std::chrono::steady_clock::now();
-    this->Result.Times.push_back(
-      { name, std::chrono::duration<double>(now - this->StageStart).count() });
-    this->StageStart = now;
-    this->Listener.Progress(fraction, name);
-    if (this->Listener.Aborted())
-    {
-      this->Add(Status::Aborted);
-      return false;
-    }
-    return true;
-  }
-
   bool Check()
   {
-    constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max() / 4;
-    if (this->Mesh.NumberOfTriangles > most || this->Mesh.NumberOfPoints > most)
+    if (IsTooLarge(this->Mesh))
     {
       this->Add(Status::TooLarge);
       return false;
@@ -297,7 +283,7 @@ private:
       size = std::max(size, std::fabs(height));
     }
     this->Margin = 1e-13 * size + 4.0 * this->Grid.ToWorld(1.0);
-    return this->ListFaces() && this->EndStage("Faces", 0.2);
+    return this->ListFaces() && this->Laps.End("Faces", 0.2);
   }
 
   struct FaceBlock
@@ -403,7 +389,7 @@ private:
     {
       this->Append(parts[plane], static_cast<std::int32_t>(plane));
     }
-    return this->EndStage("Sections", 1.0);
+    return this->Laps.End("Sections", 1.0);
   }
 
   void Append(const CutResult& part, std::int32_t plane)
@@ -444,8 +430,8 @@ private:
   const Surface& Mesh;
   Executor& Threads;
   Monitor& Listener;
-  std::chrono::steady_clock::time_point StageStart = std::chrono::steady_clock::now();
   CutResult Result;
+  StageLaps Laps;
 
   std::array<double, 3> Normal{}; ///< of length one
   Lattice Grid;

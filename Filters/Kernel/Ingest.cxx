@@ -197,8 +197,7 @@ public:
 
   void Run()
   {
-    constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max() / 4;
-    if (this->Mesh.NumberOfTriangles > most || this->Mesh.NumberOfPoints > most)
+    if (IsTooLarge(this->Mesh))
     {
       this->Add(Status::TooLarge);
       return;
@@ -330,6 +329,12 @@ std::shared_ptr<const Examination> Examine(
   Examiner examiner(surface, open, executor);
   examiner.Run();
   return std::make_shared<const Examination>(std::move(examiner.Result));
+}
+
+bool IsTooLarge(const Surface& surface)
+{
+  constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max() / 4;
+  return surface.NumberOfTriangles > most || surface.NumberOfPoints > most;
 }
 
 Ingested Ingest(const BooleanRequest& request, Executor& executor)

@@ -50,6 +50,9 @@ struct Ingested
   std::vector<std::shared_ptr<const Examination>> Examinations; ///< [operand]
 };
 
+/** Whether 32-bit ids cannot count the points and triangles, and what is made of them. */
+bool IsTooLarge(const Surface& surface);
+
 Ingested Ingest(const BooleanRequest& request, Executor& executor);
 
 } // namespace sb

@@ -56,6 +56,40 @@ private:
   Monitor& Watch;
 };
 
+/** Notes the time of stages each of which begins where the one before ended. */
+class StageLaps
+{
+public:
+  StageLaps(std::vector<StageTime>& times, std::vector<Remark>& remarks, Monitor& monitor)
+    : Times(times)
+    , Remarks(remarks)
+    , Watch(monitor)
+  {
+  }
+
+  /** End a stage. @return false if the caller wants to stop, which is then remarked. */
+  bool End(const char* name, double progress)
+  {
+    const auto now = std::chrono::steady_clock::now();
+    this->Times.push_back({ name, std::chrono::duration<double>(now - this->Start).count() });
+    this->Start = now;
+    this->Watch.Progress(progress, name);
+    if (this->Watch.Aborted())
+    {
+      this->Remarks.emplace_back();
+      this->Remarks.back().Condition = Status::Aborted;
+      return false;
+    }
+    return true;
+  }
+
+private:
+  std::vector<StageTime>& Times;
+  std::vector<Remark>& Remarks;
+  Monitor& Watch;
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+};
+
 /** The pairs of faces whose boxes meet; `self` says which operands are paired with themselves, too.
  */
 std::vector<TrianglePair> FindNearPairs(

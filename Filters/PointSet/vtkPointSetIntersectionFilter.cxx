@@ -247,9 +247,9 @@ void vtkPointSetIntersectionFilter::Run::BuildCurves(const sb::PlaneSection& sec
 void vtkPointSetIntersectionFilter::Run::AddFields(int status, const std::string& message)
 {
   using sbvtk::AddField;
-  AddField<vtkIntArray>(this->Curves, "Status", std::vector<int>{ status });
-  AddField<vtkStringArray>(this->Curves, "Message", std::vector<std::string>{ message });
-  AddField<vtkDoubleArray>(this->Curves, "Spacing", std::vector<double>{ this->Cloud.Spacing });
+  AddField(this->Curves, "Status", status);
+  AddField(this->Curves, "Message", message);
+  AddField(this->Curves, "Spacing", this->Cloud.Spacing);
   AddField<vtkDoubleArray>(this->Curves, "Width",
     std::vector<double>{ this->Cloud.Surface ? this->Cloud.Surface->Width() : 0.0 });
   sbvtk::AddStageFields(this->Curves, this->Times);

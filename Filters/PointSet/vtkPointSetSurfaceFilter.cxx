@@ -451,18 +451,15 @@ void vtkPointSetSurfaceFilter::Run::AddFields(int status, const std::string& mes
   {
     this->Points->GetFieldData()->PassData(this->Data->GetFieldData());
   }
-  const auto addInt = [this](const char* name, int value) {
-    AddField<vtkIntArray>(this->Points, name, std::vector<int>{ value });
-  };
-  const auto addDouble = [this](const char* name, double value) {
-    AddField<vtkDoubleArray>(this->Points, name, std::vector<double>{ value });
-  };
+  const auto addInt = [this](const char* name, int value) { AddField(this->Points, name, value); };
+  const auto addDouble = [this](
+                           const char* name, double value) { AddField(this->Points, name, value); };
   const auto addCount = [this](const char* name, std::int64_t value) {
     AddField<vtkIdTypeArray>(
       this->Points, name, std::vector<vtkIdType>{ static_cast<vtkIdType>(value) });
   };
   addInt("Status", status);
-  AddField<vtkStringArray>(this->Points, "Message", std::vector<std::string>{ message });
+  AddField(this->Points, "Message", message);
   addDouble("Spacing", this->Cloud.Spacing);
   addDouble("Width", this->Cloud.Surface ? this->Cloud.Surface->Width() : 0.0);
   addDouble("ResidualRMS", this->ResidualRMS);

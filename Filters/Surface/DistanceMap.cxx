@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistanceMap.h"
 
+#include "FieldArrays.h"
+
 #include "DistanceSampling.h"
 #include "SamplePlaces.h"
 
@@ -106,30 +108,6 @@ bool DistanceMap::AddArrays(vtkDataSetAttributes* attributes, const SamplePlaces
     attributes->AddArray(cells);
   }
   return true;
-}
-
-void AddField(vtkDataObject* output, const char* name, double value)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  output->GetFieldData()->AddArray(array);
-}
-
-void AddField(vtkDataObject* output, const char* name, int value)
-{
-  vtkNew<vtkIntArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  output->GetFieldData()->AddArray(array);
-}
-
-void AddField(vtkDataObject* output, const char* name, const std::string& text)
-{
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  array->InsertNextValue(text);
-  output->GetFieldData()->AddArray(array);
 }
 
 void AddSummaryFields(vtkDataObject* output, const sb::DistanceSummary& summary)

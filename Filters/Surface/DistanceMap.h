@@ -66,11 +66,6 @@ private:
  * 75, 95. */
 void AddSummaryFields(vtkDataObject* output, const sb::DistanceSummary& summary);
 
-/** One number, or one text, as a field array. */
-void AddField(vtkDataObject* output, const char* name, double value);
-void AddField(vtkDataObject* output, const char* name, int value);
-void AddField(vtkDataObject* output, const char* name, const std::string& text);
-
 } // namespace sbvtk
 
 #endif

@@ -12,6 +12,7 @@
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkStringArray.h"
 
@@ -32,6 +33,20 @@ void AddField(vtkDataObject* output, const char* name, const std::vector<Value>&
     array->SetValue(static_cast<vtkIdType>(i), values[i]);
   }
   output->GetFieldData()->AddArray(array);
+}
+
+/** One number, or one text. */
+inline void AddField(vtkDataObject* output, const char* name, double value)
+{
+  AddField<vtkDoubleArray>(output, name, std::vector<double>{ value });
+}
+inline void AddField(vtkDataObject* output, const char* name, int value)
+{
+  AddField<vtkIntArray>(output, name, std::vector<int>{ value });
+}
+inline void AddField(vtkDataObject* output, const char* name, const std::string& text)
+{
+  AddField<vtkStringArray>(output, name, std::vector<std::string>{ text });
 }
 
 /** The field arrays StageNames and StageSeconds. */

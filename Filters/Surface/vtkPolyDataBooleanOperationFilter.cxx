@@ -296,14 +296,12 @@ void vtkPolyDataBooleanOperationFilter::Run::AddFields(int status, const std::st
     volumes.push_back(operand.Volume);
     areas.push_back(operand.Area);
   }
-  sbvtk::AddField<vtkIntArray>(this->Surface, "Status", std::vector<int>{ status });
-  sbvtk::AddField<vtkStringArray>(this->Surface, "Message", std::vector<std::string>{ message });
+  sbvtk::AddField(this->Surface, "Status", status);
+  sbvtk::AddField(this->Surface, "Message", message);
   sbvtk::AddField<vtkDoubleArray>(this->Surface, "OperandVolume", volumes);
   sbvtk::AddField<vtkDoubleArray>(this->Surface, "OperandArea", areas);
-  sbvtk::AddField<vtkDoubleArray>(
-    this->Surface, "ResultVolume", std::vector<double>{ this->Measures.Volume });
-  sbvtk::AddField<vtkDoubleArray>(
-    this->Surface, "ResultArea", std::vector<double>{ this->Measures.Area });
+  sbvtk::AddField(this->Surface, "ResultVolume", this->Measures.Volume);
+  sbvtk::AddField(this->Surface, "ResultArea", this->Measures.Area);
   sbvtk::AddField<vtkIdTypeArray>(
     this->Surface, "ContactCount", std::vector<vtkIdType>{ this->Result.NumberOfContacts });
   sbvtk::AddStageFields(this->Surface, this->Times);

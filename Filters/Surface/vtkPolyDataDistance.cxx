@@ -5,6 +5,7 @@
 #include "ConditionSentences.h"
 #include "DistanceMap.h"
 #include "DistanceSurface.h"
+#include "FieldArrays.h"
 #include "KernelExecutor.h"
 #include "SamplePlaces.h"
 #include "SurfaceInput.h"

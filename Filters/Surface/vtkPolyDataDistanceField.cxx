@@ -6,6 +6,7 @@
 #include "DistanceMap.h"
 #include "DistanceSampling.h"
 #include "DistanceSurface.h"
+#include "FieldArrays.h"
 #include "KernelExecutor.h"
 #include "SurfaceInput.h"
 

@@ -310,9 +310,9 @@ void vtkPolyDataIntersection::Run::AddFields(int status, const std::string& mess
       length += lengths->GetComponent(curve, 0);
     }
   }
-  sbvtk::AddField<vtkIntArray>(this->Curves, "Status", std::vector<int>{ status });
-  sbvtk::AddField<vtkStringArray>(this->Curves, "Message", std::vector<std::string>{ message });
-  sbvtk::AddField<vtkDoubleArray>(this->Curves, "TotalLength", std::vector<double>{ length });
+  sbvtk::AddField(this->Curves, "Status", status);
+  sbvtk::AddField(this->Curves, "Message", message);
+  sbvtk::AddField(this->Curves, "TotalLength", length);
   sbvtk::AddField<vtkIdTypeArray>(
     this->Curves, "ContactCount", std::vector<vtkIdType>{ this->Result.NumberOfContacts });
   sbvtk::AddStageFields(this->Curves, this->Times);
