@@ -5,8 +5,9 @@
 BUILD := build
 JOBS := $(shell nproc)
 CMAKE_ARGUMENTS :=
+FUZZ_SECONDS := 600
 
-.PHONY: build test demo bench gui format clean dependencies
+.PHONY: build test demo bench fuzz gui format clean dependencies
 
 build: dependencies
 	@cmake -G Ninja -S . -B $(BUILD) -DCMAKE_BUILD_TYPE=Release $(CMAKE_ARGUMENTS) > $(BUILD)-configure.log 2>&1 \
@@ -24,6 +25,9 @@ demo: build
 
 bench: build
 	@. $(BUILD)/env.sh && Testing/Benchmarks/run.sh
+
+fuzz:
+	@BUILD=$(BUILD) Testing/Fuzz/run.sh $(FUZZ_SECONDS)
 
 gui: build
 	@. $(BUILD)/env.sh && paraview --plugin-search-paths="$$PV_PLUGIN_PATH" --plugins=SurfaceBooleans

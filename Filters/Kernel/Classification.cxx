@@ -10,6 +10,7 @@
 #include "WindingQuery.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace sb
 {
@@ -380,6 +381,61 @@ private:
         this->AddPatch(set, this->OperandOfRegion(id), this->Cuts.Regions[region].Face, id);
       }
     }
+    this->PreferFacesWithArea();
+  }
+
+  bool HasArea(std::int32_t face) const
+  {
+    const std::array<std::int32_t, 3> corners = this->World.Corners(face);
+    return ComputeDominantNormal(this->World.Position(corners[0]), this->World.Position(corners[1]),
+             this->World.Position(corners[2]))
+             .Sign != 0;
+  }
+
+  /** A patch stands for itself by a face with area, if it has one: others have no side to ask
+   * about.
+   */
+  void PreferFacesWithArea()
+  {
+    std::vector<std::uint8_t> isFlat(this->Patches.size(), 0);
+    std::vector<std::uint8_t> hasFlat(std::size_t(this->NumberOfOperands), 0);
+    for (std::size_t p = 0; p < this->Patches.size(); ++p)
+    {
+      isFlat[p] = !this->HasArea(this->Patches[p].Face);
+      hasFlat[std::size_t(this->Patches[p].Operand)] |= isFlat[p];
+    }
+    for (std::int32_t operand = 0; operand < this->NumberOfOperands; ++operand)
+    {
+      if (!hasFlat[std::size_t(operand)])
+      {
+        continue;
+      }
+      for (const std::int32_t face : this->Near[std::size_t(operand)])
+      {
+        if (this->States[std::size_t(face)] != FaceState::Untouched)
+        {
+          continue;
+        }
+        const std::int32_t set = this->Sets.Find(this->World.Corners(operand, face)[0]);
+        const auto patch = std::size_t(this->PatchOfSet[std::size_t(set)]);
+        if (isFlat[patch] && this->HasArea(face))
+        {
+          isFlat[patch] = 0;
+          this->Patches[patch].Face = face;
+        }
+      }
+    }
+    for (std::size_t region = 0; region < this->Cuts.Regions.size(); ++region)
+    {
+      const auto id = static_cast<std::int32_t>(region);
+      const auto patch = std::size_t(this->PatchOfRegion(id));
+      if (isFlat[patch]) // cut faces have area
+      {
+        isFlat[patch] = 0;
+        this->Patches[patch].Face = this->Cuts.Regions[region].Face;
+        this->Patches[patch].Region = id;
+      }
+    }
   }
 
   struct SetAndFace
@@ -711,6 +767,7 @@ private:
     std::vector<int> atRoot(std::size_t(this->NumberOfOperands), 0);
     std::vector<std::int32_t> lastChecked(std::size_t(this->NumberOfOperands), -1);
     std::vector<Question> questions;
+    const ProbePlacement placement(this->World, this->Cuts);
     for (std::size_t t = 0; t < this->Trees.size(); ++t)
     {
       Tree& tree = this->Trees[t];
@@ -748,6 +805,11 @@ private:
           this->Result.SelfIntersecting[operand] = 1;
         }
       });
+      const Patch& probed = this->Patches[std::size_t(tree.Probed)];
+      if (!probeIsWhole && !placement.Place(probed.Face, probed.Region, 0))
+      {
+        this->FindPlace(placement, tree, relative, relativeAtProbe);
+      }
       for (const std::int32_t operand : present)
       {
         const auto index = std::size_t(operand);
@@ -767,6 +829,60 @@ private:
       }
     }
     this->Ask(questions);
+  }
+
+  /** Regions by the patch that they belong to: the regions, and where each patch's begin. */
+  struct RegionsByPatch
+  {
+    std::vector<std::int32_t> First;
+    std::vector<std::int32_t> Regions;
+  };
+
+  void ListRegionsOfPatches()
+  {
+    std::vector<std::int32_t>& first = this->OfPatches.First;
+    first.assign(this->Patches.size() + 1, 0);
+    const auto count = static_cast<std::int32_t>(this->Cuts.Regions.size());
+    for (std::int32_t region = 0; region < count; ++region)
+    {
+      ++first[std::size_t(this->PatchOfRegion(region)) + 1];
+    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::int32_t> next(first);
+    this->OfPatches.Regions.resize(std::size_t(count));
+    for (std::int32_t region = 0; region < count; ++region)
+    {
+      const std::int32_t place = next[std::size_t(this->PatchOfRegion(region))]++;
+      this->OfPatches.Regions[std::size_t(place)] = region;
+    }
+  }
+
+  /** Probe a tree at the first of its regions that is wide enough, where the one it stands for is
+   * not. */
+  void FindPlace(const ProbePlacement& placement, Tree& tree, std::vector<int>& relative,
+    std::vector<int>& relativeAtProbe)
+  {
+    if (this->OfPatches.First.empty())
+    {
+      this->ListRegionsOfPatches();
+    }
+    bool isFound = false;
+    this->Walk(tree, relative, [&](std::int32_t p) {
+      const std::int32_t end = this->OfPatches.First[std::size_t(p) + 1];
+      for (std::int32_t i = this->OfPatches.First[std::size_t(p)]; i < end && !isFound; ++i)
+      {
+        const std::int32_t region = this->OfPatches.Regions[std::size_t(i)];
+        const std::int32_t face = this->Cuts.Regions[std::size_t(region)].Face;
+        isFound = placement.Place(face, region, 0).has_value();
+        if (isFound)
+        {
+          this->Patches[std::size_t(p)].Face = face;
+          this->Patches[std::size_t(p)].Region = region;
+          tree.Probed = p;
+          relativeAtProbe = relative;
+        }
+      }
+    });
   }
 
   /**
@@ -821,22 +937,41 @@ private:
 
   void Ask(std::vector<Question> questions)
   {
+    // Patches without area enclose nothing: kept or dropped, they change no solid.
+    questions.erase(std::remove_if(questions.begin(), questions.end(),
+                      [&](const Question& question) {
+                        const Tree& tree = this->Trees[question.Tree];
+                        return !this->HasArea(this->Patches[std::size_t(tree.Probed)].Face);
+                      }),
+      questions.end());
     const ProbePlacement placement(this->World, this->Cuts);
+    // A line that meets an edge is asked again elsewhere. Where no place is left, in solids thinner
+    // than the lattice, the last answer stands.
+    constexpr int attempts = 64;
     for (int attempt = 0; !questions.empty() && !this->Watch.Aborted(); ++attempt)
     {
+      const bool isLast = attempt + 1 == attempts;
+      std::vector<Question> again;
+      std::vector<Question> asked;
       std::vector<WindingQuery> queries;
       for (const Question& question : questions)
       {
         const Patch& patch = this->Patches[std::size_t(this->Trees[question.Tree].Probed)];
-        queries.push_back(
-          { placement.Place(patch.Face, patch.Region, attempt), question.Operand, 0, false });
+        if (const auto line = placement.Place(patch.Face, patch.Region, attempt))
+        {
+          asked.push_back(question);
+          queries.push_back({ *line, question.Operand, 0, false });
+        }
+        else if (!isLast)
+        {
+          again.push_back(question);
+        }
       }
       AnswerQueries(this->World, this->In.Collapsed, queries, this->Threads);
-      std::vector<Question> again;
-      for (std::size_t i = 0; i < questions.size(); ++i)
+      for (std::size_t i = 0; i < asked.size(); ++i)
       {
-        const Question& question = questions[i];
-        if (queries[i].Degenerate)
+        const Question& question = asked[i];
+        if (queries[i].Degenerate && !isLast)
         {
           again.push_back(question);
           continue;
@@ -1088,6 +1223,7 @@ private:
   DisjointSets Sets; ///< over vertices, then regions
   std::vector<std::pair<std::size_t, std::size_t>> ContactEdges; ///< ranges of edge uses
   std::vector<std::int32_t> PatchOfSet;
+  RegionsByPatch OfPatches; ///< made where it is needed
   std::vector<Patch> Patches;
   std::vector<Relation> Forest;
   std::vector<Relation> Cycles; ///< the other relations

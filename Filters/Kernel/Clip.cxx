@@ -66,6 +66,9 @@ public:
   }
 
 private:
+  /** Both ends, on the lattice, the lower one first. */
+  using EdgePlace = std::pair<std::array<double, 3>, std::array<double, 3>>;
+
   Remark& Add(Status condition)
   {
     this->Result.Remarks.emplace_back();
@@ -432,6 +435,14 @@ private:
     return id;
   }
 
+  /** An edge by where it is: neighbours need not share its vertices. */
+  EdgePlace PlaceOfEdge(std::int32_t from, std::int32_t to) const
+  {
+    const std::array<double, 3> a = this->Points->Position(from);
+    const std::array<double, 3> b = this->Points->Position(to);
+    return a < b ? EdgePlace(a, b) : EdgePlace(b, a);
+  }
+
   /** What neighbours put on edges, a triangle has to have on its side, too. */
   void ListPointsOnEdges()
   {
@@ -440,10 +451,12 @@ private:
     {
       if (corner.Instance >= 0 && this->Points->IsOnEdge(corner.Instance, edge))
       {
-        std::vector<std::int32_t>& instances = this->PointsOnEdges[edge];
-        if (std::find(instances.begin(), instances.end(), corner.Instance) == instances.end())
+        std::vector<std::int32_t>& planes =
+          this->PlanesOnEdges[this->PlaceOfEdge(edge[0], edge[1])];
+        const std::int32_t plane = this->Points->PlaneOnEdge(corner.Instance);
+        if (std::find(planes.begin(), planes.end(), plane) == planes.end())
         {
-          instances.push_back(corner.Instance);
+          planes.push_back(plane);
         }
       }
     }
@@ -467,11 +480,10 @@ private:
       places[k] = ExactPoint::Vertex(this->Points->Position(vertices[k]).data());
       corners[k] = { &places[k], this->IdOfVertex(vertices[k]) };
       const std::int32_t next = vertices[(k + 1) % 3];
-      const auto found =
-        this->PointsOnEdges.find({ std::min(vertices[k], next), std::max(vertices[k], next) });
-      for (std::size_t i = 0; found != this->PointsOnEdges.end() && i < found->second.size(); ++i)
+      const auto found = this->PlanesOnEdges.find(this->PlaceOfEdge(vertices[k], next));
+      for (std::size_t i = 0; found != this->PlanesOnEdges.end() && i < found->second.size(); ++i)
       {
-        onEdges.push_back(this->PointOf(found->second[i]));
+        onEdges.push_back(this->PointOf(this->Points->OnEdge(vertices[k], next, found->second[i])));
       }
     }
     this->Remainder.Cut(
@@ -543,7 +555,7 @@ private:
   std::vector<std::int32_t> IdOfInstances;
   ConvexOutline Outline;
   bool IsRest = false; ///< kept is what several planes leave, which is not convex
-  std::map<std::array<std::int32_t, 2>, std::vector<std::int32_t>> PointsOnEdges; ///< instances
+  std::map<EdgePlace, std::vector<std::int32_t>> PlanesOnEdges; ///< those that cut there
   FaceRemainder Remainder;
   std::vector<std::int32_t> SplitNodes;
 };

@@ -36,7 +36,8 @@ DominantNormal ProbePlacement::NormalOf(std::int32_t face) const
 
 int ProbePlacement::NormalSign(std::int32_t face) const { return this->NormalOf(face).Sign; }
 
-Probe ProbePlacement::Place(std::int32_t face, std::int32_t region, int attempt) const
+std::optional<Probe> ProbePlacement::Place(
+  std::int32_t face, std::int32_t region, int attempt) const
 {
   const DominantNormal normal = this->NormalOf(face);
   Probe probe;
@@ -54,6 +55,7 @@ Probe ProbePlacement::Place(std::int32_t face, std::int32_t region, int attempt)
         return probe;
       }
     }
+    return std::nullopt;
   }
   const std::array<std::int32_t, 3> corners = this->World.Corners(face);
   const std::array<std::int64_t, 3> weights = Weights(attempt);

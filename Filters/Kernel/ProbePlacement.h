@@ -12,6 +12,7 @@
 #include "WindingQuery.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace sb
 {
@@ -25,9 +26,9 @@ public:
   {
   }
 
-  /** A line through an uncut face (region -1), or through a region of a cut one; another one for
-   * each attempt. */
-  Probe Place(std::int32_t face, std::int32_t region, int attempt) const;
+  /** A line through an uncut face with area (region -1), or through a region of a cut one; another
+   * one for each attempt. None through a region that is narrower than the grid of places. */
+  std::optional<Probe> Place(std::int32_t face, std::int32_t region, int attempt) const;
 
   /** The sign of the face's normal along its dominant axis. */
   int NormalSign(std::int32_t face) const;

@@ -54,7 +54,7 @@ void CheckEverywhere(const Case& given)
     {
       for (std::int32_t operand = 0; operand < stage.World.NumberOfOperands(); ++operand)
       {
-        queries.push_back({ placement.Place(face, -1, attempt), operand, 0, false });
+        queries.push_back({ *placement.Place(face, -1, attempt), operand, 0, false });
       }
     }
     std::vector<sb::WindingQuery> again = queries;
@@ -114,7 +114,7 @@ void CheckLayers()
   const sb::Arrangement nothingCut;
   const sb::ProbePlacement placement(stage.World, nothingCut);
   const auto winding = [&](std::int32_t face, std::int32_t operand) {
-    std::vector<sb::WindingQuery> queries{ { placement.Place(face, -1, 0), operand, 0, false } };
+    std::vector<sb::WindingQuery> queries{ { *placement.Place(face, -1, 0), operand, 0, false } };
     sb::AnswerQueries(stage.World, {}, queries, stage.Executor);
     CHECK(!queries[0].Degenerate);
     return queries[0].Winding;
@@ -187,7 +187,7 @@ void CheckCollapsedPassedOver()
   std::vector<std::uint8_t> collapsed(static_cast<std::size_t>(stage.World.NumberOfFaces()), 0);
   for (const int expected : { 2, 1, 0 })
   {
-    std::vector<sb::WindingQuery> queries{ { placement.Place(2, -1, 0), 1, 0, false } };
+    std::vector<sb::WindingQuery> queries{ { *placement.Place(2, -1, 0), 1, 0, false } };
     sb::AnswerQueries(stage.World, collapsed, queries, stage.Executor);
     CHECK_EQUAL(queries[0].Winding, expected);
     collapsed[static_cast<std::size_t>(stage.World.FirstFace(1) + (expected == 2 ? 0 : 1))] = 1;
