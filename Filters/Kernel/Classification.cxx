@@ -109,6 +109,7 @@ public:
     this->RelateAcrossContacts();
     this->PlantTrees();
     this->CheckCycles();
+    this->CheckFoldedRegions();
     this->FindWindingsAtRoots();
     if (!this->Watch.Aborted() && !this->MustStartAgain())
     {
@@ -556,6 +557,7 @@ private:
     const std::int64_t numberOfBatches = (numberOfEdges + edgesPerBatch - 1) / edgesPerBatch;
     std::vector<std::vector<Relation>> relations(static_cast<std::size_t>(numberOfBatches));
     std::vector<std::vector<SheetVote>> votes(static_cast<std::size_t>(numberOfBatches));
+    std::vector<std::vector<std::int32_t>> folded(static_cast<std::size_t>(numberOfBatches));
     this->Threads.For(numberOfBatches, 1, [&](std::int64_t begin, std::int64_t end) {
       RadialOrder order(this->World, this->Cuts.Nodes);
       for (std::int64_t batch = begin; batch < end; ++batch)
@@ -564,11 +566,15 @@ private:
         for (std::int64_t i = batch * edgesPerBatch; i < stop && !this->Watch.Aborted(); ++i)
         {
           this->RelateAround(this->ContactEdges[std::size_t(i)], order,
-            relations[std::size_t(batch)], votes[std::size_t(batch)]);
+            relations[std::size_t(batch)], votes[std::size_t(batch)], folded[std::size_t(batch)]);
         }
       }
     });
 
+    for (const std::vector<std::int32_t>& batch : folded)
+    {
+      this->FoldedRegions.insert(this->FoldedRegions.end(), batch.begin(), batch.end());
+    }
     DisjointSets connected(static_cast<std::int32_t>(this->Patches.size()));
     for (const std::vector<Relation>& batch : relations)
     {
@@ -586,7 +592,8 @@ private:
   }
 
   void RelateAround(const std::pair<std::size_t, std::size_t>& edge, RadialOrder& order,
-    std::vector<Relation>& relations, std::vector<SheetVote>& votes) const
+    std::vector<Relation>& relations, std::vector<SheetVote>& votes,
+    std::vector<std::int32_t>& folded) const
   {
     const std::vector<EdgeUse>& uses = this->Cuts.EdgeUses;
     std::vector<HalfPlane> pieces;
@@ -600,6 +607,7 @@ private:
       return; // the rim of a sheet in free space
     }
     order.Sort(uses[edge.first].Low, uses[edge.first].High, pieces);
+    this->FindFolded(pieces, order, folded);
     for (std::size_t i = 0; i < pieces.size(); ++i)
     {
       const HalfPlane& here = pieces[i];
@@ -621,6 +629,72 @@ private:
       }
       Vote(this->OpenOperands, seen, order, votes);
     }
+  }
+
+  /** Pieces of one operand on top of each other: bodies that touch, or walls without thickness. */
+  void FindFolded(const std::vector<HalfPlane>& pieces, const RadialOrder& order,
+    std::vector<std::int32_t>& folded) const
+  {
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+    {
+      const std::int32_t operand = this->OperandOfRegion(pieces[i].Region);
+      for (std::size_t k = i + 1; k < pieces.size() && !this->IsSelf(operand); ++k)
+      {
+        if (this->OperandOfRegion(pieces[k].Region) == operand && order.Coincide(i, k))
+        {
+          folded.push_back(pieces[i].Region);
+          folded.push_back(pieces[k].Region);
+        }
+      }
+    }
+  }
+
+  /**
+   * In front of a clean operand its winding number is 0. Where two of its pieces coincide, their
+   * layers (RadialOrder.h) decide that, and not the surface: it is asked about.
+   */
+  void CheckFoldedRegions()
+  {
+    std::vector<std::int32_t>& folded = this->FoldedRegions;
+    std::sort(folded.begin(), folded.end());
+    folded.erase(std::unique(folded.begin(), folded.end()), folded.end());
+    const ProbePlacement placement(this->World, this->Cuts);
+    constexpr int attempts = 16;
+    for (int attempt = 0; attempt < attempts && !folded.empty(); ++attempt)
+    {
+      std::vector<std::int32_t> asked;
+      std::vector<WindingQuery> queries;
+      for (const std::int32_t region : folded)
+      {
+        const std::int32_t face = this->Cuts.Regions[std::size_t(region)].Face;
+        if (const auto line = placement.Place(face, region, attempt))
+        {
+          asked.push_back(region);
+          queries.push_back({ *line, this->OperandOfRegion(region), 0, false });
+        }
+      }
+      AnswerQueries(this->World, this->In.Collapsed, queries, this->Threads);
+      folded.clear();
+      for (std::size_t i = 0; i < asked.size(); ++i)
+      {
+        if (queries[i].Degenerate)
+        {
+          folded.push_back(asked[i]);
+        }
+        else if (WindingInFront(placement, queries[i], true) != 0)
+        {
+          this->Result.SelfIntersecting[std::size_t(queries[i].Operand)] = 1;
+        }
+      }
+    }
+  }
+
+  /** From just above a face to just in front of it, which matters if it is one of the operand's
+   * own. */
+  static int WindingInFront(const ProbePlacement& placement, const WindingQuery& query, bool isOwn)
+  {
+    const bool frontIsUp = placement.NormalSign(query.Line.Face) > 0;
+    return query.Winding - (!frontIsUp && isOwn ? 1 : 0);
   }
 
   // --- winding numbers
@@ -976,12 +1050,10 @@ private:
           again.push_back(question);
           continue;
         }
-        const Probe& line = queries[i].Line;
         const Patch& patch = this->Patches[std::size_t(this->Trees[question.Tree].Probed)];
-        const bool frontIsUp = placement.NormalSign(line.Face) > 0;
-        const int inFront =
-          queries[i].Winding - (!frontIsUp && patch.Operand == question.Operand ? 1 : 0);
-        const int atRoot = inFront - question.RelativeAtProbe;
+        const int atRoot =
+          WindingInFront(placement, queries[i], patch.Operand == question.Operand) -
+          question.RelativeAtProbe;
         if (question.IsCheck)
         {
           if (atRoot != question.Assumed)
@@ -1224,6 +1296,7 @@ private:
   std::vector<std::pair<std::size_t, std::size_t>> ContactEdges; ///< ranges of edge uses
   std::vector<std::int32_t> PatchOfSet;
   RegionsByPatch OfPatches; ///< made where it is needed
+  std::vector<std::int32_t> FoldedRegions;
   std::vector<Patch> Patches;
   std::vector<Relation> Forest;
   std::vector<Relation> Cycles; ///< the other relations

@@ -51,6 +51,12 @@ public:
    * precedes it, 0 if both lie in one plane. */
   int Turn(std::size_t a, std::size_t b) const { return Turn(this->Entries[a], this->Entries[b]); }
 
+  /** Whether pieces number a and b of those last sorted lie on top of each other. */
+  bool Coincide(std::size_t a, std::size_t b) const
+  {
+    return this->Entries[a].Sector == this->Entries[b].Sector && this->Turn(a, b) == 0;
+  }
+
 private:
   struct Entry
   {
