@@ -6,8 +6,9 @@ BUILD := build
 JOBS := $(shell nproc)
 CMAKE_ARGUMENTS :=
 FUZZ_SECONDS := 600
+TORTURE_PAIRS := 3000
 
-.PHONY: build test demo bench fuzz gui format clean dependencies
+.PHONY: build test demo bench fuzz torture gui format clean dependencies
 
 build: dependencies
 	@cmake -G Ninja -S . -B $(BUILD) -DCMAKE_BUILD_TYPE=Release $(CMAKE_ARGUMENTS) > $(BUILD)-configure.log 2>&1 \
@@ -28,6 +29,9 @@ bench: build
 
 fuzz:
 	@BUILD=$(BUILD) Testing/Fuzz/run.sh $(FUZZ_SECONDS)
+
+torture: build
+	@. $(BUILD)/env.sh && Testing/Filters/torture.sh "$(BUILD)/torture-venv" --pairs $(TORTURE_PAIRS)
 
 gui: build
 	@. $(BUILD)/env.sh && paraview --plugin-search-paths="$$PV_PLUGIN_PATH" --plugins=SurfaceBooleans
