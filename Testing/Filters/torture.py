@@ -135,7 +135,9 @@ def disagreements(operation, bodies, result, number):
 
 
 def volumes_of_manifold(bodies):
-    """By operation, what manifold3d says; None if it is not there or does not take these operands."""
+    """By operation, what manifold3d says; None if it is not there, does not take these operands, or contradicts itself:
+    what is in one or the other, and what is in both, add up to the operands.
+    """
     try:
         import manifold3d
     except ImportError:
@@ -151,7 +153,10 @@ def volumes_of_manifold(bodies):
     if not all(is_clean(body) for body in bodies):
         return None
     combined = {UNION: first + second, INTERSECTION: first ^ second, DIFFERENCE: first - second}
-    return {operation: solid.volume() for operation, solid in combined.items()}
+    volumes = {operation: solid.volume() for operation, solid in combined.items()}
+    both = measures.volume(bodies[0]) + measures.volume(bodies[1])
+    contradiction = abs(volumes[UNION] + volumes[INTERSECTION] - both)
+    return None if contradiction > VOLUME * both else volumes
 
 
 def is_clean(body):

@@ -41,10 +41,14 @@ Case ReadCase(fuzz::Bytes& bytes, Random& random)
   return given;
 }
 
-/** The volume of the points inside, each counted once. */
+/** The volume of the points inside, each counted once. A body beside it keeps a surface that
+ * encloses less than nothing from being turned over. */
 double SetVolume(const Mesh& mesh)
 {
-  return mesh.Triangles.empty() ? 0.0 : VolumeOf({ { mesh }, {}, Operation::Resolve });
+  const Mesh beside = Cube(20, 25);
+  Mesh both = mesh;
+  both.Append(beside);
+  return VolumeOf({ { both }, {}, Operation::Resolve }) - Volume(beside);
 }
 
 void CheckIdentities(Case given, Random& random)
