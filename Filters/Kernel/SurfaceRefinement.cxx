@@ -88,7 +88,7 @@ private:
   PlaceOnPatch Place(std::int32_t i) const
   {
     const double* uv = this->UV.data() + 2 * static_cast<std::size_t>(i);
-    return { this->Point(i), { uv[0], uv[1] } };
+    return { uv[0], uv[1], this->Point(i), 0.0 };
   }
 
   const NURBSSurface& PatchOf(std::int32_t original) const
@@ -127,15 +127,16 @@ private:
   double ErrorOfMiddle(std::int32_t original, const std::array<std::int32_t, 3>& p) const
   {
     Real3 middle{};
-    std::array<double, 2> uv{};
+    double u = 0.0;
+    double v = 0.0;
     for (const std::int32_t point : p)
     {
       const PlaceOnPatch place = this->Place(point);
       middle = PlusScaled(middle, 1.0 / 3.0, place.Point);
-      uv[0] += place.UV[0] / 3.0;
-      uv[1] += place.UV[1] / 3.0;
+      u += place.U / 3.0;
+      v += place.V / 3.0;
     }
-    const Real3 onPatch = EvaluatePatch(this->PatchOf(original), uv[0], uv[1], 0).Point;
+    const Real3 onPatch = EvaluatePatch(this->PatchOf(original), u, v, 0).Point;
     const double error = Length(Difference(onPatch, middle));
     return error < 0.5 * this->LongestEdge(p) ? error : 0.0;
   }
@@ -458,18 +459,19 @@ private:
       return this->EdgeOnPatch(this->Uses[use].Original, LowerPlace(this->Uses[use].Points),
         UpperPlace(this->Uses[use].Points));
     };
-    const auto store = [&](std::size_t use, const std::array<double, 2>& uv) {
-      std::copy_n(
-        uv.data(), 2, this->UV.data() + 2 * (static_cast<std::size_t>(this->FirstNewPoint) + use));
+    const auto store = [&](std::size_t use, const PlaceOnPatch& place) {
+      double* uv = this->UV.data() + 2 * (static_cast<std::size_t>(this->FirstNewPoint) + use);
+      uv[0] = place.U;
+      uv[1] = place.V;
     };
     if (last - first == 1)
     {
       const PlaceOnPatch place = MiddleOnPatch(edgeOf(first));
-      store(first, place.UV);
+      store(first, place);
       return place.Point;
     }
     std::vector<PatchEdge> edges;
-    std::vector<std::array<double, 2>> places;
+    std::vector<PlaceOnPatch> places;
     for (std::size_t use = first; use < last; ++use)
     {
       edges.push_back(edgeOf(use));
