@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace sb
 {
@@ -21,7 +22,7 @@ double DistanceToSegment(const Real3& x, const Real3& a, const Real3& b)
   return Length(Difference(x, PlusScaled(a, t, along)));
 }
 
-double Apart(const SectionNode& a, const SectionNode& b)
+double Apart(const CurveNode& a, const CurveNode& b)
 {
   return Length(Difference(a.Point, b.Point));
 }
@@ -29,8 +30,8 @@ double Apart(const SectionNode& a, const SectionNode& b)
 class Stepping
 {
 public:
-  Stepping(const std::vector<SectionNode>& nodes, const StepBounds& bounds, SteppedCurve& curve,
-    std::vector<SectionNode>& points)
+  Stepping(const std::vector<CurveNode>& nodes, const StepBounds& bounds, SteppedCurve& curve,
+    std::vector<CurveNode>& points)
     : Nodes(nodes)
     , Bounds(bounds)
     , Bound(Reserve * bounds.ChordError)
@@ -111,10 +112,10 @@ private:
   }
 
   /** Halve a step between neighbours until its distance is kept. */
-  void Subdivide(const SectionNode& a, const SectionNode& b)
+  void Subdivide(const CurveNode& a, const CurveNode& b)
   {
     double error = 0.0;
-    SectionNode middle;
+    CurveNode middle;
     for (const double t : { 0.25, 0.75, 0.5 })
     {
       middle = this->Curve.Between(a, b, t);
@@ -133,11 +134,11 @@ private:
     this->Points.push_back(b);
   }
 
-  const std::vector<SectionNode>& Nodes;
+  const std::vector<CurveNode>& Nodes;
   const StepBounds Bounds;
   const double Bound;
   SteppedCurve& Curve;
-  std::vector<SectionNode>& Points;
+  std::vector<CurveNode>& Points;
   std::vector<Real3> Middles; ///< of the curve, after each node
   std::vector<std::uint8_t> HasMiddle;
   double Largest = 0.0;
@@ -145,8 +146,8 @@ private:
 
 } // namespace
 
-double StepAlong(const std::vector<SectionNode>& nodes, const StepBounds& bounds,
-  std::size_t fewest, SteppedCurve& curve, std::vector<SectionNode>& points)
+double StepAlong(const std::vector<CurveNode>& nodes, const StepBounds& bounds, std::size_t fewest,
+  SteppedCurve& curve, std::vector<CurveNode>& points)
 {
   return Stepping(nodes, bounds, curve, points).Run(fewest);
 }

@@ -9,7 +9,7 @@
 #ifndef sb_ChordSteps_h
 #define sb_ChordSteps_h
 
-#include "FaceSection.h"
+#include "Real3.h"
 
 #include <cstddef>
 #include <vector>
@@ -17,14 +17,22 @@
 namespace sb
 {
 
+/** A point of a curve, with u and v if it is on a patch. */
+struct CurveNode
+{
+  Real3 Point{};
+  double U = 0.0;
+  double V = 0.0;
+};
+
 /** A curve that can be asked for more than its points. */
 class SteppedCurve
 {
 public:
   virtual ~SteppedCurve() = default;
-  virtual double CurvatureAt(const SectionNode& node) = 0;
+  virtual double CurvatureAt(const CurveNode& node) = 0;
   /** The point of the curve opposite of a place on the chord from a to b; a if there is none. */
-  virtual SectionNode Between(const SectionNode& a, const SectionNode& b, double t) = 0;
+  virtual CurveNode Between(const CurveNode& a, const CurveNode& b, double t) = 0;
 };
 
 struct StepBounds
@@ -40,8 +48,8 @@ struct StepBounds
  * @param fewest steps, if there are as many nodes
  * @return the largest measured distance.
  */
-double StepAlong(const std::vector<SectionNode>& nodes, const StepBounds& bounds,
-  std::size_t fewest, SteppedCurve& curve, std::vector<SectionNode>& points);
+double StepAlong(const std::vector<CurveNode>& nodes, const StepBounds& bounds, std::size_t fewest,
+  SteppedCurve& curve, std::vector<CurveNode>& points);
 
 } // namespace sb
 

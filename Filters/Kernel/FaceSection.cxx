@@ -20,12 +20,6 @@ constexpr std::int64_t Grain = 64;
 constexpr double LargestCell = 1.4; ///< in spacings: its diagonal is shorter than two
 constexpr double ReachInWidths = 1.0; ///< the surface is not farther from all samples
 constexpr double Rounding = 1e-12; ///< in widths: values below it have no sign
-constexpr double PerhapsClose = 0.1; ///< in widths: both surfaces coincide at most so far apart
-constexpr double SineOfCloseness = 0.1; ///< of the angle between them
-constexpr double LeastRadius = 2.0; ///< of a coincident area, in widths
-constexpr double LeastTolerance = 0.02; ///< of coincidence, in spacings
-constexpr double Deviations = 4.0;
-constexpr std::int32_t MostProbes = 2000;
 constexpr double ShortestInWidths = 0.02; ///< from a cut to the next point of a branch
 
 /** Branches of a face, before they are trimmed. */
@@ -35,7 +29,7 @@ public:
   FaceBranches(const FaceSectionRequest& request, const NURBSSurface& patch,
     const PatchQuadtree& tree, Executor& executor)
     : Surface(request.Surface)
-    , Close(request.Close)
+    , Tolerance(request.Tolerance)
     , Patch(patch)
     , Tree(tree)
     , Threads(executor)
@@ -49,10 +43,10 @@ public:
 
   struct Branch
   {
-    std::vector<SectionNode> Nodes;
+    std::vector<CurveNode> Nodes;
     bool Closed = false;
-    SectionEnd Begin = SectionEnd::ScanBorder;
-    SectionEnd End = SectionEnd::ScanBorder;
+    CurveEnd Begin = CurveEnd::ScanBorder;
+    CurveEnd End = CurveEnd::ScanBorder;
   };
 
   /** Open branches first; a loop has its first node again at its end. */
@@ -102,12 +96,12 @@ private:
           const PatchPoint p = this->Evaluate(at, 1);
           SurfaceValue f = this->Surface.EvaluateAt(p.Point, 0, near);
           this->Values[i] = f.IsNear ? f.Value : none;
-          if (f.IsNear && std::abs(f.Value) <= PerhapsClose * this->Surface.Width())
+          if (f.IsNear && std::abs(f.Value) <= this->Tolerance.Most())
           {
             f = this->Surface.Evaluate(p.Point, 1, near);
             const Real3 normal = Cross(p.Du, p.Dv);
             this->IsParallel[i] = Length(Cross(normal, f.Gradient)) <=
-              SineOfCloseness * Length(normal) * Length(f.Gradient);
+              TangentialSine * Length(normal) * Length(f.Gradient);
           }
         }
       });
@@ -141,26 +135,45 @@ private:
     }
   }
 
-  /** Where the patch lies in the surface, within the noise: cells in a disc of such cells. A curve
-   * that crosses at a small angle is close in a strip, a tangential contact in a spot only. */
   void FindCoincidentCells()
   {
-    const double loosely = PerhapsClose * this->Surface.Width();
-    this->IsCoincident = this->OpenedArea(loosely);
-    if (this->IsCoincident.empty())
+    this->IsCoincident = this->CellsWithin(this->Tolerance.Most());
+    if (!this->IsCoincident.empty())
     {
-      this->IsCoincident.assign(this->Tree.NumberOfCells(), 0);
-      return;
+      this->IsCoincident = this->CellsWithin(this->Tolerance.Value());
     }
-    this->IsCoincident = this->OpenedArea(std::min(this->Close.Tolerance(), loosely));
     this->IsCoincident.resize(this->Tree.NumberOfCells(), 0);
     for (std::size_t cell = 0; cell < this->IsCoincident.size(); ++cell)
     {
-      const ParameterBox box = this->Tree.BoxOf(cell);
-      const PatchPoint middle = this->MiddleOf(cell);
-      this->Area += this->IsCoincident[cell] * Length(Cross(middle.Du, middle.Dv)) *
-        (box.LastU - box.FirstU) * (box.LastV - box.FirstV);
+      if (this->IsCoincident[cell])
+      {
+        const ParameterBox box = this->Tree.BoxOf(cell);
+        const PatchPoint middle = this->MiddleOf(cell);
+        this->Area +=
+          Length(Cross(middle.Du, middle.Dv)) * (box.LastU - box.FirstU) * (box.LastV - box.FirstV);
+      }
     }
+  }
+
+  std::vector<std::uint8_t> CellsWithin(double tolerance) const
+  {
+    std::vector<std::uint8_t> coincides;
+    bool isAny = false;
+    for (std::size_t cell = 0; cell < this->Tree.NumberOfCells(); ++cell)
+    {
+      coincides.push_back(this->IsClose(cell, tolerance) ? 1 : 0);
+      isAny = isAny || coincides.back() == 1;
+    }
+    if (!isAny)
+    {
+      return {};
+    }
+    std::vector<Real3> middles;
+    for (std::size_t cell = 0; cell < this->Tree.NumberOfCells(); ++cell)
+    {
+      middles.push_back(this->MiddleOf(cell).Point);
+    }
+    return AreaOf(middles, coincides, this->Surface.Width(), this->Threads);
   }
 
   PatchPoint MiddleOf(std::size_t cell) const
@@ -176,67 +189,6 @@ private:
       this->Rings.begin() + this->Offset(cell + 1), [&](std::uint32_t vertex) {
         return this->IsParallel[vertex] && std::abs(this->Values[vertex]) <= tolerance;
       });
-  }
-
-  /** The close cells that a disc of close cells reaches; empty if there is none. */
-  std::vector<std::uint8_t> OpenedArea(double tolerance)
-  {
-    const std::size_t cells = this->Tree.NumberOfCells();
-    std::vector<std::uint8_t> close(cells, 0);
-    for (std::size_t cell = 0; cell < cells; ++cell)
-    {
-      close[cell] = this->IsClose(cell, tolerance) ? 1 : 0;
-    }
-    if (std::find(close.begin(), close.end(), 1) == close.end())
-    {
-      return {};
-    }
-    const double radius = LeastRadius * this->Surface.Width();
-    const std::vector<std::uint8_t> nearOthers = this->NearMarked(close, 0, radius);
-    std::vector<std::uint8_t> core(cells, 0);
-    for (std::size_t cell = 0; cell < cells; ++cell)
-    {
-      core[cell] = close[cell] && !nearOthers[cell] ? 1 : 0;
-    }
-    if (std::find(core.begin(), core.end(), 1) == core.end())
-    {
-      return {};
-    }
-    std::vector<std::uint8_t> area = this->NearMarked(core, 1, radius);
-    for (std::size_t cell = 0; cell < cells; ++cell)
-    {
-      area[cell] = area[cell] && close[cell] ? 1 : 0;
-    }
-    return area;
-  }
-
-  /** 1 for cells whose middle is not farther than the radius from that of a cell with the mark. */
-  std::vector<std::uint8_t> NearMarked(
-    const std::vector<std::uint8_t>& marks, std::uint8_t mark, double radius) const
-  {
-    std::vector<double> middles;
-    for (std::size_t cell = 0; cell < marks.size(); ++cell)
-    {
-      if (marks[cell] == mark)
-      {
-        const Real3 middle = this->MiddleOf(cell).Point;
-        middles.insert(middles.end(), middle.begin(), middle.end());
-      }
-    }
-    const PointTree tree(
-      middles.data(), static_cast<std::int64_t>(middles.size() / 3), nullptr, this->Threads);
-    std::vector<std::uint8_t> isNear(marks.size(), 0);
-    this->Threads.For(
-      static_cast<std::int64_t>(marks.size()), Grain, [&](std::int64_t begin, std::int64_t end) {
-        for (std::size_t cell = static_cast<std::size_t>(begin);
-             cell < static_cast<std::size_t>(end); ++cell)
-        {
-          PointTree::Neighbour nearest{};
-          isNear[cell] = tree.Nearest(this->MiddleOf(cell).Point, 1, &nearest) > 0 &&
-            nearest.SquaredDistance <= radius * radius;
-        }
-      });
-    return isNear;
   }
 
   std::ptrdiff_t Offset(std::size_t cell) const
@@ -374,17 +326,17 @@ private:
     return branch;
   }
 
-  SectionEnd EndAt(std::size_t edge) const
+  CurveEnd EndAt(std::size_t edge) const
   {
     const bool meetsCoincident = std::any_of(
       this->Suppressed.begin(), this->Suppressed.end(), [&](const std::pair<Edge, Edge>& segment) {
         return segment.first == this->Edges[edge] || segment.second == this->Edges[edge];
       });
-    return meetsCoincident ? SectionEnd::Coincident : SectionEnd::ScanBorder;
+    return meetsCoincident ? CurveEnd::CoincidentArea : CurveEnd::ScanBorder;
   }
 
   const MovingLeastSquares& Surface;
-  Closeness& Close;
+  CoincidenceTolerance& Tolerance;
   const NURBSSurface& Patch;
   const PatchQuadtree& Tree;
   Executor& Threads;
@@ -396,7 +348,7 @@ private:
   std::vector<std::pair<Edge, Edge>> Suppressed; ///< segments in coincident cells
   std::vector<Edge> Edges; ///< that branches cross
   std::vector<std::int32_t> Next; ///< of an edge, the one that its branch goes to
-  std::vector<SectionNode> Roots; ///< of edges
+  std::vector<CurveNode> Roots; ///< of edges
   std::vector<std::uint8_t> Supported; ///< of edges
   double Area = 0.0;
 };
@@ -417,7 +369,7 @@ public:
 
   void Cut(const FaceBranches::Branch& branch, std::vector<SectionPiece>& pieces)
   {
-    const std::vector<SectionNode>& nodes = branch.Nodes;
+    const std::vector<CurveNode>& nodes = branch.Nodes;
     const std::size_t firstPiece = pieces.size();
     bool inside = this->Domain.Contains({ nodes.front().U, nodes.front().V });
     SectionPiece piece;
@@ -436,7 +388,7 @@ public:
       for (const TrimmedDomain::Crossing& crossing :
         this->Domain.CrossingsOf({ nodes[k].U, nodes[k].V }, { nodes[k + 1].U, nodes[k + 1].V }))
       {
-        const SectionNode cut = this->OnBorder(crossing);
+        const CurveNode cut = this->OnBorder(crossing);
         const TrimmedDomain::Edge& edge = this->Domain.Border()[crossing.Edge];
         if (inside)
         {
@@ -445,7 +397,7 @@ public:
         else
         {
           piece.Nodes.push_back(cut);
-          piece.Begin = SectionEnd::SurfaceBorder;
+          piece.Begin = CurveEnd::MeshBorder;
           piece.BeginEdge = edge;
         }
         inside = !inside;
@@ -460,7 +412,7 @@ public:
       piece.End = branch.End;
       if (branch.Closed)
       {
-        piece.Begin = piece.End = SectionEnd::None;
+        piece.Begin = piece.End = CurveEnd::None;
         piece.Nodes.back() = piece.Nodes.front();
       }
       this->Keep(piece, pieces);
@@ -469,9 +421,9 @@ public:
 
 private:
   /** Unless it is so close to where the branch was cut that the order of both may be wrong. */
-  void Append(SectionPiece& piece, const SectionNode& node)
+  void Append(SectionPiece& piece, const CurveNode& node)
   {
-    const bool isFirst = piece.Nodes.size() == 1 && piece.Begin == SectionEnd::SurfaceBorder;
+    const bool isFirst = piece.Nodes.size() == 1 && piece.Begin == CurveEnd::MeshBorder;
     const double least = isFirst ? ShortestInWidths : Rounding;
     if (piece.Nodes.empty() || this->Apart(piece.Nodes.back(), node) > least)
     {
@@ -480,19 +432,19 @@ private:
   }
 
   /** On its border, steps of the lattice may make it seem so. */
-  bool IsInDomain(const SectionNode& node) const
+  bool IsInDomain(const CurveNode& node) const
   {
     return node.U >= this->Patch.FirstU() && node.U <= this->Patch.LastU() &&
       node.V >= this->Patch.FirstV() && node.V <= this->Patch.LastV();
   }
 
-  SectionNode Nearest(double u, double v)
+  CurveNode Nearest(double u, double v)
   {
     const CommonPoint common = OntoCloudAndPatch(this->Surface, this->Patch, u, v, this->Near);
     return { common.Point, common.U, common.V };
   }
 
-  void Finish(SectionPiece& piece, const SectionNode& cut, const TrimmedDomain::Edge& edge,
+  void Finish(SectionPiece& piece, const CurveNode& cut, const TrimmedDomain::Edge& edge,
     std::vector<SectionPiece>& pieces) const
   {
     while (piece.Nodes.size() > 1 && this->Apart(piece.Nodes.back(), cut) <= ShortestInWidths)
@@ -500,7 +452,7 @@ private:
       piece.Nodes.pop_back();
     }
     piece.Nodes.push_back(cut);
-    piece.End = SectionEnd::SurfaceBorder;
+    piece.End = CurveEnd::MeshBorder;
     piece.EndEdge = edge;
     this->Keep(piece, pieces);
     piece = SectionPiece();
@@ -515,20 +467,20 @@ private:
   /** The part of a loop before where it was followed from goes in front of the part after it. */
   void Prepend(const SectionPiece& before, SectionPiece& after) const
   {
-    std::vector<SectionNode> nodes = before.Nodes;
+    std::vector<CurveNode> nodes = before.Nodes;
     nodes.insert(nodes.end(), after.Nodes.begin() + 1, after.Nodes.end());
     after.Nodes = std::move(nodes);
     after.Begin = before.Begin;
     after.BeginEdge = before.BeginEdge;
   }
 
-  double Apart(const SectionNode& a, const SectionNode& b) const
+  double Apart(const CurveNode& a, const CurveNode& b) const
   {
     return Length(Difference(a.Point, b.Point)) / this->Surface.Width();
   }
 
   /** The point of the surface on an edge of the border, near to where a chord crosses it. */
-  SectionNode OnBorder(const TrimmedDomain::Crossing& crossing)
+  CurveNode OnBorder(const TrimmedDomain::Crossing& crossing)
   {
     const TrimmedDomain::Edge& edge = this->Domain.Border()[crossing.Edge];
     const double alongU = edge.To[0] - edge.From[0];
@@ -579,41 +531,7 @@ void Reverse(SectionPiece& piece)
   std::swap(piece.BeginEdge, piece.EndEdge);
 }
 
-/** The deviation of the samples from their surface, by its median at some of them. */
-double NoiseOf(const MovingLeastSquares& surface)
-{
-  const PointTree& samples = surface.Samples();
-  const std::int32_t step = std::max<std::int32_t>(1, samples.Size() / MostProbes);
-  std::vector<double> residuals;
-  MovingLeastSquares::Neighbourhood near;
-  for (std::int32_t i = 0; i < samples.Size(); i += step)
-  {
-    const SurfaceValue f = surface.EvaluateAt(samples.Point(i), 0, near);
-    residuals.push_back(std::abs(f.Value));
-  }
-  if (residuals.empty())
-  {
-    return 0.0;
-  }
-  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
-  std::nth_element(residuals.begin(), middle, residuals.end());
-  constexpr double deviationToMedian = 1.4826; // of a normal distribution
-  return deviationToMedian * *middle;
-}
-
 } // namespace
-
-/** Of noise, s / (h sqrt(2 pi)) is left for samples s apart. */
-double Closeness::Tolerance()
-{
-  if (this->Known < 0.0)
-  {
-    const double averaged = NoiseOf(this->Surface) * this->Spacing /
-      (this->Surface.Width() * std::sqrt(2.0 * std::acos(-1.0)));
-    this->Known = Deviations * averaged + LeastTolerance * this->Spacing;
-  }
-  return this->Known;
-}
 
 FaceSection SectionOfFace(const FaceSectionRequest& request,
   const std::vector<std::int32_t>& triangles, Executor& executor, Monitor& monitor)

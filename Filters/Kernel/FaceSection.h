@@ -12,6 +12,9 @@
 #ifndef sb_FaceSection_h
 #define sb_FaceSection_h
 
+#include "ChordSteps.h"
+#include "CoincidentArea.h"
+#include "CurveEnd.h"
 #include "MovingLeastSquares.h"
 #include "TrimmedDomain.h"
 
@@ -22,27 +25,12 @@
 namespace sb
 {
 
-struct SectionNode
-{
-  Real3 Point{};
-  double U = 0.0;
-  double V = 0.0;
-};
-
-enum class SectionEnd : std::uint8_t
-{
-  None, ///< the curve is closed
-  ScanBorder, ///< the cloud ends there, or has a hole
-  SurfaceBorder, ///< the designed surface ends there
-  Coincident ///< from there on both surfaces lie in each other
-};
-
 struct SectionPiece
 {
   std::int32_t Face = 0;
-  std::vector<SectionNode> Nodes; ///< the first again at the end if closed
-  SectionEnd Begin = SectionEnd::None;
-  SectionEnd End = SectionEnd::None;
+  std::vector<CurveNode> Nodes; ///< the first again at the end if closed
+  CurveEnd Begin = CurveEnd::None;
+  CurveEnd End = CurveEnd::None;
   /** The borders that the piece is cut by, where it is. */
   TrimmedDomain::Edge BeginEdge{};
   TrimmedDomain::Edge EndEdge{};
@@ -54,32 +42,13 @@ struct FaceSection
   double CoincidentArea = 0.0;
 };
 
-/** How far surfaces may be apart that count as one. Asked for rarely, and then expensive. */
-class Closeness
-{
-public:
-  Closeness(const MovingLeastSquares& surface, double spacing)
-    : Surface(surface)
-    , Spacing(spacing)
-  {
-  }
-
-  /** What the noise of the samples leaves of itself in their surface, four times. */
-  double Tolerance();
-
-private:
-  const MovingLeastSquares& Surface;
-  const double Spacing;
-  double Known = -1.0;
-};
-
 /** What all faces share. */
 struct FaceSectionRequest
 {
   const MovingLeastSquares& Surface;
   const DesignedSurface& Designed;
   double Spacing; ///< of the cloud
-  Closeness& Close;
+  CoincidenceTolerance& Tolerance;
 };
 
 /** @param triangles of one face that has a patch, their numbers */

@@ -30,13 +30,13 @@ public:
   {
   }
 
-  double CurvatureAt(const SectionNode& node) override
+  double CurvatureAt(const CurveNode& node) override
   {
     const PatchPoint p = EvaluatePatch(this->Patch, node.U, node.V, 2);
     return Length(CurvatureOfCommonCurve(this->Surface.EvaluateAt(p.Point, 2, this->Near), p));
   }
 
-  SectionNode Between(const SectionNode& a, const SectionNode& b, double t) override
+  CurveNode Between(const CurveNode& a, const CurveNode& b, double t) override
   {
     const Real3 chord = Difference(b.Point, a.Point);
     const Real3 wanted = PlusScaled(a.Point, t, chord);
@@ -51,11 +51,11 @@ public:
       v = place.V;
     }
     const CommonPoint common = OntoCloudAndPatch(this->Surface, this->Patch, u, v, this->Near);
-    return common.Found ? SectionNode{ common.Point, common.U, common.V } : a;
+    return common.Found ? CurveNode{ common.Point, common.U, common.V } : a;
   }
 
   /** How far a node is from either surface. */
-  double ResidualOf(const SectionNode& node)
+  double ResidualOf(const CurveNode& node)
   {
     const Real3 onPatch = EvaluatePatch(this->Patch, node.U, node.V, 0).Point;
     const double value = this->Surface.EvaluateAt(node.Point, 0, this->Near).Value;
@@ -71,7 +71,7 @@ private:
 /** A piece with as few nodes as the bound allows. */
 struct SteppedPiece
 {
-  std::vector<SectionNode> Nodes;
+  std::vector<CurveNode> Nodes;
   double ChordError = 0.0;
   double Residual = 0.0;
 };
@@ -109,11 +109,15 @@ private:
     std::vector<std::vector<std::int32_t>> triangles(this->Designed.Patches.size());
     for (std::size_t i = 0; i < this->Designed.FaceId.size(); ++i)
     {
-      const std::size_t face = static_cast<std::size_t>(this->Designed.FaceId[i]);
-      triangles[face].push_back(static_cast<std::int32_t>(i));
+      const std::int32_t face = this->Designed.FaceId[i];
+      if (face >= 0)
+      {
+        triangles[static_cast<std::size_t>(face)].push_back(static_cast<std::int32_t>(i));
+      }
     }
-    Closeness close(this->Surface, this->Request.Spacing);
-    const FaceSectionRequest request{ this->Surface, this->Designed, this->Request.Spacing, close };
+    CoincidenceTolerance tolerance(this->Surface, this->Request.Spacing);
+    const FaceSectionRequest request{ this->Surface, this->Designed, this->Request.Spacing,
+      tolerance };
     for (std::size_t face = 0; face < triangles.size() && !this->Watch.Aborted(); ++face)
     {
       this->Watch.Progress(0.7 * double(face) / double(triangles.size()), "Faces");
@@ -169,17 +173,17 @@ private:
   {
     const SectionPiece& piece = this->Pieces[part.Piece];
     CommonCurve curve(this->Surface, this->Designed.Patches[static_cast<std::size_t>(piece.Face)]);
-    const std::vector<SectionNode> nodes(
+    const std::vector<CurveNode> nodes(
       piece.Nodes.begin() + static_cast<std::ptrdiff_t>(part.Begin),
       piece.Nodes.begin() + static_cast<std::ptrdiff_t>(part.End));
     const double width = this->Surface.Width();
     // A loop takes three steps at least.
-    const std::size_t fewest = piece.Begin == SectionEnd::None ? 3 : 1;
+    const std::size_t fewest = piece.Begin == CurveEnd::None ? 3 : 1;
     part.Stepped.ChordError =
       StepAlong(nodes, { this->Request.ChordError, LongestStep * width, ShortestStep * width },
         fewest, curve, part.Stepped.Nodes);
     part.Stepped.Residual = curve.ResidualOf(nodes.front());
-    for (const SectionNode& node : part.Stepped.Nodes)
+    for (const CurveNode& node : part.Stepped.Nodes)
     {
       part.Stepped.Residual = std::max(part.Stepped.Residual, curve.ResidualOf(node));
     }
@@ -194,7 +198,7 @@ private:
       for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
       {
         const PieceEnd begin = static_cast<PieceEnd>(2 * piece);
-        const bool isOpen = this->Pieces[piece].Begin != SectionEnd::None;
+        const bool isOpen = this->Pieces[piece].Begin != CurveEnd::None;
         const bool startsHere = this->Partner[2 * piece] < 0 && isOpen;
         const bool endsHere = this->Partner[2 * piece + 1] < 0 && isOpen;
         if (!done[piece] && (loops || startsHere || endsHere))
@@ -220,10 +224,10 @@ private:
       curve.End = at % 2 == 0 ? this->Pieces[piece].End : this->Pieces[piece].Begin;
       at = this->Partner[static_cast<std::size_t>(at ^ 1)];
     }
-    curve.Closed = at == from || first.Begin == SectionEnd::None;
+    curve.Closed = at == from || first.Begin == CurveEnd::None;
     if (curve.Closed)
     {
-      curve.Begin = curve.End = SectionEnd::None;
+      curve.Begin = curve.End = CurveEnd::None;
       if (curve.Points.front() != curve.Points.back())
       {
         curve.Points.push_back(curve.Points.front());
@@ -251,7 +255,7 @@ private:
     const std::size_t count = stepped.Nodes.size();
     for (std::size_t k = 0; k < count; ++k)
     {
-      const SectionNode& node = stepped.Nodes[backwards ? count - 1 - k : k];
+      const CurveNode& node = stepped.Nodes[backwards ? count - 1 - k : k];
       if (!curve.Points.empty() && curve.Points.back() == node.Point)
       {
         continue; // where the piece before it ended, or all of a piece that is a point

@@ -26,8 +26,8 @@ struct NURBSCurve
   std::vector<Parameters> UV; ///< of each point, in the patch of its face
   std::vector<std::int32_t> FaceId; ///< of each point
   bool Closed = false;
-  SectionEnd Begin = SectionEnd::None;
-  SectionEnd End = SectionEnd::None;
+  CurveEnd Begin = CurveEnd::None;
+  CurveEnd End = CurveEnd::None;
   double LargestChordError = 0.0; ///< as measured
   double LargestResidual = 0.0; ///< distance of a point from either surface, as measured
 };
@@ -45,7 +45,7 @@ struct NURBSSectionRequest
   double ChordError = 0.0; ///< how far the curve may be from a segment, positive
 };
 
-/** @param designed with patches without a fault */
+/** @param designed with patches without a fault; triangles without a patch (-1) are left out */
 NURBSSection IntersectPatches(const MovingLeastSquares& surface, const DesignedSurface& designed,
   const NURBSSectionRequest& request, Executor& executor, Monitor& monitor);
 

@@ -66,9 +66,9 @@ private:
   {
     return this->Pieces[static_cast<std::size_t>(end / 2)];
   }
-  SectionNode& NodeOf(PieceEnd end) const
+  CurveNode& NodeOf(PieceEnd end) const
   {
-    std::vector<SectionNode>& nodes = this->PieceOf(end).Nodes;
+    std::vector<CurveNode>& nodes = this->PieceOf(end).Nodes;
     return end % 2 == 0 ? nodes.front() : nodes.back();
   }
   const TrimmedDomain::Edge& EdgeOf(PieceEnd end) const
@@ -92,7 +92,7 @@ private:
     for (PieceEnd end = 0; end < static_cast<PieceEnd>(this->Partner.size()); ++end)
     {
       const SectionPiece& piece = this->PieceOf(end);
-      if ((end % 2 == 0 ? piece.Begin : piece.End) != SectionEnd::SurfaceBorder)
+      if ((end % 2 == 0 ? piece.Begin : piece.End) != CurveEnd::MeshBorder)
       {
         continue;
       }
@@ -154,8 +154,8 @@ private:
   /** Let both end in one point, if there is one. */
   void Meet(PieceEnd a, PieceEnd b)
   {
-    SectionNode first = this->NodeOf(a);
-    SectionNode second = this->NodeOf(b);
+    CurveNode first = this->NodeOf(a);
+    CurveNode second = this->NodeOf(b);
     const double apart = Length(Difference(first.Point, second.Point));
     if (&this->PatchOf(a) != &this->PatchOf(b) && this->ToCorner(a, b, first, second))
     {
@@ -169,7 +169,7 @@ private:
   }
 
   /** Newton's method for S_a = S_b and f(S_a) = 0. */
-  bool ToCorner(PieceEnd a, PieceEnd b, SectionNode& first, SectionNode& second)
+  bool ToCorner(PieceEnd a, PieceEnd b, CurveNode& first, CurveNode& second)
   {
     const double width = this->Surface.Width();
     const Real3 start = first.Point;
@@ -201,7 +201,7 @@ private:
 
   /** The point moves in the tangent plane of a so that it comes to that of b and to f = 0. */
   static bool Step(const PatchPoint& p, const PatchPoint& q, const SurfaceValue& f,
-    const Real3& apart, SectionNode& first, SectionNode& second)
+    const Real3& apart, CurveNode& first, CurveNode& second)
   {
     const Real3 n = Cross(p.Du, p.Dv);
     const Real3 m = Cross(q.Du, q.Dv);
@@ -225,9 +225,9 @@ private:
   }
 
   /** Give a piece another end; nodes that it has left behind go. */
-  void MoveEnd(PieceEnd end, const SectionNode& node)
+  void MoveEnd(PieceEnd end, const CurveNode& node)
   {
-    std::vector<SectionNode>& nodes = this->PieceOf(end).Nodes;
+    std::vector<CurveNode>& nodes = this->PieceOf(end).Nodes;
     const bool isFront = end % 2 == 0;
     if (isFront)
     {

@@ -24,13 +24,13 @@ namespace
 using patches::AddFace;
 using patches::Moved;
 using patches::OneFace;
+using sb::CurveEnd;
 using sb::DesignedSurface;
 using sb::NURBSCurve;
 using sb::NURBSSection;
 using sb::NURBSSurface;
 using sb::Real3;
 using sb::Real3x3;
-using sb::SectionEnd;
 
 double Gap(const Real3& a, const Real3& b) { return sb::Length(sb::Difference(a, b)); }
 
@@ -74,8 +74,8 @@ void CheckCurves(const sb::CloudSurface& made, const DesignedSurface& designed,
     CHECK_EQUAL(curve.UV.size(), curve.Points.size());
     CHECK_EQUAL(curve.FaceId.size(), curve.Points.size());
     CHECK(curve.Closed == (curve.Points.front() == curve.Points.back()));
-    CHECK(curve.Closed == (curve.Begin == SectionEnd::None));
-    CHECK(curve.Closed == (curve.End == SectionEnd::None));
+    CHECK(curve.Closed == (curve.Begin == CurveEnd::None));
+    CHECK(curve.Closed == (curve.End == CurveEnd::None));
     CHECK(curve.LargestChordError <= chordError);
     CHECK(curve.LargestResidual < 1e-12);
     for (std::size_t i = 0; i < curve.Points.size(); ++i)
@@ -201,7 +201,7 @@ void TrimmedPatches()
   CHECK(std::abs(LengthOf(section) - 0.8 * clouds::Pi) < 2e-3 * clouds::Pi);
   for (const NURBSCurve& curve : section.Curves)
   {
-    CHECK(curve.Begin == SectionEnd::SurfaceBorder && curve.End == SectionEnd::SurfaceBorder);
+    CHECK(curve.Begin == CurveEnd::MeshBorder && curve.End == CurveEnd::MeshBorder);
     CHECK(curve.UV.front()[0] == 0.5 && curve.UV.back()[0] == 0.5);
     CHECK(std::abs(std::abs(curve.Points.front()[1]) - 0.8) < 1e-5);
   }
@@ -460,7 +460,7 @@ void OpenScans()
   CHECK_EQUAL(section.Curves.size(), 1u);
   for (const NURBSCurve& curve : section.Curves)
   {
-    CHECK(curve.Begin == SectionEnd::ScanBorder && curve.End == SectionEnd::ScanBorder);
+    CHECK(curve.Begin == CurveEnd::ScanBorder && curve.End == CurveEnd::ScanBorder);
     CHECK(std::abs(std::abs(curve.Points.front()[0] - curve.Points.back()[0]) - 1.0) <
       3.0 * flat.Spacing);
   }
@@ -471,8 +471,8 @@ void OpenScans()
   CHECK_EQUAL(part.Curves.size(), 1u);
   for (const NURBSCurve& curve : part.Curves)
   {
-    CHECK((curve.Begin == SectionEnd::ScanBorder) != (curve.End == SectionEnd::ScanBorder));
-    CHECK((curve.Begin == SectionEnd::SurfaceBorder) != (curve.End == SectionEnd::SurfaceBorder));
+    CHECK((curve.Begin == CurveEnd::ScanBorder) != (curve.End == CurveEnd::ScanBorder));
+    CHECK((curve.Begin == CurveEnd::MeshBorder) != (curve.End == CurveEnd::MeshBorder));
   }
 }
 
@@ -572,8 +572,7 @@ void RandomPoses()
         CHECK(std::abs(sb::Length(x) - 1.0) < 1e-5);
       }
       CHECK(k % 10 != 0 || ChordError(made, designed, curve) <= 2e-3);
-      const bool isOpen =
-        curve.Begin == SectionEnd::SurfaceBorder && curve.End == SectionEnd::SurfaceBorder;
+      const bool isOpen = curve.Begin == CurveEnd::MeshBorder && curve.End == CurveEnd::MeshBorder;
       CHECK(curve.Closed || isOpen);
     }
   }
