@@ -28,9 +28,6 @@ constexpr double TangentialSine = 0.1;
 /** The sine of the angle between a triangle's plane and the surface of a function. */
 double SineBetween(const Real3& gradient, const Real3& unitNormal);
 
-/** The unit normal of a triangle, or 0 if it has no area. */
-Real3 UnitNormalOf(const Real3& a, const Real3& b, const Real3& c);
-
 /**
  * 1 for each triangle that belongs to a coincident area; empty if there is none.
  * @param spacing of the cloud
