@@ -68,32 +68,37 @@ Real3 CentreOf(const BandMesh& band, const BandMesh::Triangle& triangle)
   return centre;
 }
 
-/** Keep of the marked triangles those whose centre's distance from the centres of those with the
- * other mark is above (or not above) a bound. */
-template <class Keep>
-void Sift(const BandMesh& band, const std::vector<std::uint8_t>& seeds, std::uint8_t seed,
-  Executor& executor, const Keep& keep)
+/** 1 for cells whose centre is not farther than the radius from that of a cell with the mark. */
+std::vector<std::uint8_t> NearMarked(const std::vector<Real3>& centres,
+  const std::vector<std::uint8_t>& marks, std::uint8_t mark, double radius, Executor& executor)
 {
-  std::vector<double> centres;
-  for (std::size_t t = 0; t < seeds.size(); ++t)
+  std::vector<double> marked;
+  for (std::size_t cell = 0; cell < marks.size(); ++cell)
   {
-    if (seeds[t] == seed)
+    if (marks[cell] == mark)
     {
-      const Real3 centre = CentreOf(band, band.Triangles[t]);
-      centres.insert(centres.end(), centre.begin(), centre.end());
+      marked.insert(marked.end(), centres[cell].begin(), centres[cell].end());
     }
   }
   const PointTree tree(
-    centres.data(), static_cast<std::int64_t>(centres.size() / 3), nullptr, executor);
+    marked.data(), static_cast<std::int64_t>(marked.size() / 3), nullptr, executor);
+  std::vector<std::uint8_t> isNear(marks.size(), 0);
   executor.For(
-    static_cast<std::int64_t>(seeds.size()), 256, [&](std::int64_t begin, std::int64_t end) {
-      for (std::size_t t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t)
+    static_cast<std::int64_t>(marks.size()), 256, [&](std::int64_t begin, std::int64_t end) {
+      for (std::size_t cell = static_cast<std::size_t>(begin); cell < static_cast<std::size_t>(end);
+           ++cell)
       {
         PointTree::Neighbour nearest{};
-        const bool isAny = tree.Nearest(CentreOf(band, band.Triangles[t]), 1, &nearest) > 0;
-        keep(t, isAny ? std::sqrt(nearest.SquaredDistance) : HUGE_VAL);
+        isNear[cell] = tree.Nearest(centres[cell], 1, &nearest) > 0 &&
+          nearest.SquaredDistance <= radius * radius;
       }
     });
+  return isNear;
+}
+
+bool IsAny(const std::vector<std::uint8_t>& marks)
+{
+  return std::find(marks.begin(), marks.end(), 1) != marks.end();
 }
 
 } // namespace
@@ -104,35 +109,62 @@ double SineBetween(const Real3& gradient, const Real3& unitNormal)
   return steepness > 0.0 ? Length(Cross(gradient, unitNormal)) / steepness : 0.0;
 }
 
+double CoincidenceTolerance::Value()
+{
+  if (this->Known < 0.0)
+  {
+    const double averaged = NoiseOf(this->Surface) * this->Spacing /
+      (this->Surface.Width() * std::sqrt(2.0 * std::acos(-1.0)));
+    this->Known = std::min(this->Most(), Deviations * averaged + LeastTolerance * this->Spacing);
+  }
+  return this->Known;
+}
+
+/** An opening: first what is far from all that does not coincide, then what is near to that. */
+std::vector<std::uint8_t> AreaOf(const std::vector<Real3>& centres,
+  const std::vector<std::uint8_t>& coincides, double width, Executor& executor)
+{
+  const double radius = LeastRadius * width;
+  if (!IsAny(coincides))
+  {
+    return {};
+  }
+  std::vector<std::uint8_t> core = NearMarked(centres, coincides, 0, radius, executor);
+  for (std::size_t cell = 0; cell < core.size(); ++cell)
+  {
+    core[cell] = coincides[cell] && !core[cell] ? 1 : 0;
+  }
+  if (!IsAny(core))
+  {
+    return {};
+  }
+  std::vector<std::uint8_t> area = NearMarked(centres, core, 1, radius, executor);
+  for (std::size_t cell = 0; cell < area.size(); ++cell)
+  {
+    area[cell] = area[cell] && coincides[cell] ? 1 : 0;
+  }
+  return area;
+}
+
 std::vector<std::uint8_t> FindCoincidentArea(
   const BandMesh& band, const MovingLeastSquares& surface, double spacing, Executor& executor)
 {
-  const double averaged =
-    NoiseOf(surface) * spacing / (surface.Width() * std::sqrt(2.0 * std::acos(-1.0)));
-  const double tolerance = Deviations * averaged + LeastTolerance * spacing;
-  const double radius = LeastRadius * surface.Width();
-  std::vector<std::uint8_t> coincides(band.Triangles.size(), 0);
-  for (std::size_t t = 0; t < coincides.size(); ++t)
+  CoincidenceTolerance tolerance(surface, spacing);
+  std::vector<Real3> centres;
+  for (const BandMesh::Triangle& triangle : band.Triangles)
   {
-    coincides[t] = Coincides(band, band.Triangles[t], tolerance) ? 1 : 0;
+    centres.push_back(CentreOf(band, triangle));
   }
-  if (std::find(coincides.begin(), coincides.end(), 1) == coincides.end())
-  {
-    return {};
-  }
-  // An opening: first what is far from all that does not coincide, then what is near to that.
-  std::vector<std::uint8_t> isCore(coincides.size(), 0);
-  Sift(band, coincides, 0, executor,
-    [&](std::size_t t, double distance) { isCore[t] = coincides[t] && distance > radius ? 1 : 0; });
-  if (std::find(isCore.begin(), isCore.end(), 1) == isCore.end())
-  {
-    return {};
-  }
-  std::vector<std::uint8_t> isArea(coincides.size(), 0);
-  Sift(band, isCore, 1, executor, [&](std::size_t t, double distance) {
-    isArea[t] = coincides[t] && distance <= radius ? 1 : 0;
-  });
-  return isArea;
+  const auto areaWithin = [&](double most) {
+    std::vector<std::uint8_t> coincides;
+    for (const BandMesh::Triangle& triangle : band.Triangles)
+    {
+      coincides.push_back(Coincides(band, triangle, most) ? 1 : 0);
+    }
+    return AreaOf(centres, coincides, surface.Width(), executor);
+  };
+  return IsAny(areaWithin(tolerance.Most())) ? areaWithin(tolerance.Value())
+                                             : std::vector<std::uint8_t>();
 }
 
 } // namespace sb

@@ -16,6 +16,7 @@
 #ifndef sb_MeshSection_h
 #define sb_MeshSection_h
 
+#include "CurveEnd.h"
 #include "DesignedSurface.h"
 #include "MovingLeastSquares.h"
 
@@ -25,16 +26,6 @@
 
 namespace sb
 {
-
-/** Why a curve ends. */
-enum class CurveEnd : std::uint8_t
-{
-  None = 0, ///< it is closed
-  MeshBorder = 1, ///< the mesh ends
-  ScanBorder = 2, ///< the cloud ends
-  CoincidentArea = 3, ///< from here on the mesh lies on the cloud
-  Junction = 4 ///< more than two triangles share the edge
-};
 
 struct MeshSectionCurve
 {
