@@ -12,11 +12,10 @@ namespace sb
 namespace
 {
 
-constexpr double GapFactor = 8.0; ///< ends are not farther apart than so often the facets' error
+constexpr double GapFactor = 40.0; ///< a curve along an edge carries the facets' error so far
 constexpr double LeastGap = 1e-4; ///< in widths: closer ends belong together in any case
 constexpr double LargestGap = 1.0; ///< in widths
 constexpr double ShortestInWidths = 0.02; ///< from a joint to the next node
-constexpr double SameInWidths = 1e-10;
 
 class Joining
 {
@@ -57,6 +56,7 @@ private:
   struct Pair
   {
     bool Turns; ///< both pieces begin there, or end
+    bool IsAcross; ///< the borders have no point in common
     double Apart;
     PieceEnd First;
     PieceEnd Second;
@@ -136,18 +136,17 @@ private:
         const double apart = Length(Difference(a, b));
         const double most = std::clamp(GapFactor * (this->Ends[i].Gap + this->Ends[j].Gap),
           LeastGap * width, LargestGap * width);
-        const bool isSame = apart <= LeastGap * width;
-        if (apart <= most &&
-          (isSame || this->EdgesTouch(this->Ends[i].Number, this->Ends[j].Number)))
+        if (apart <= most)
         {
           const auto [first, second] = std::minmax(this->Ends[i].Number, this->Ends[j].Number);
-          this->Pairs.push_back({ first % 2 == second % 2, apart, first, second });
+          this->Pairs.push_back(
+            { first % 2 == second % 2, !this->EdgesTouch(first, second), apart, first, second });
         }
       }
     }
     std::sort(this->Pairs.begin(), this->Pairs.end(), [](const Pair& a, const Pair& b) {
-      return std::tie(a.Turns, a.Apart, a.First, a.Second) <
-        std::tie(b.Turns, b.Apart, b.First, b.Second);
+      return std::tie(a.Turns, a.IsAcross, a.Apart, a.First, a.Second) <
+        std::tie(b.Turns, b.IsAcross, b.Apart, b.First, b.Second);
     });
   }
 
@@ -156,15 +155,10 @@ private:
   {
     CurveNode first = this->NodeOf(a);
     CurveNode second = this->NodeOf(b);
-    const double apart = Length(Difference(first.Point, second.Point));
     if (&this->PatchOf(a) != &this->PatchOf(b) && this->ToCorner(a, b, first, second))
     {
       this->MoveEnd(a, first);
       this->MoveEnd(b, second);
-    }
-    else if (apart <= SameInWidths * this->Surface.Width())
-    {
-      this->NodeOf(b).Point = this->NodeOf(a).Point;
     }
   }
 
