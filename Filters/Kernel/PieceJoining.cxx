@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PieceJoining.h"
 
+#include "CommonPoint.h"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -169,6 +171,7 @@ private:
     const Real3 start = first.Point;
     const double farthest = 4.0 * Length(Difference(first.Point, second.Point)) + 1e-6 * width;
     MovingLeastSquares::Neighbourhood near;
+    bool wasLast = false;
     for (int iteration = 0; iteration < 20; ++iteration)
     {
       const PatchPoint p = EvaluatePatch(this->PatchOf(a), first.U, first.V, 1);
@@ -180,11 +183,12 @@ private:
         return false;
       }
       first.Point = second.Point = p.Point;
-      const double rounding = 4e-16 * Length(p.Point);
-      if (std::max(std::abs(f.Value), Length(apart)) <= 1e-14 * width + rounding)
+      if (wasLast)
       {
         return true;
       }
+      wasLast = std::max(std::abs(f.Value), Length(apart)) <=
+        NegligibleValue(p.Point, this->Surface.Width());
       if (!Step(p, q, f, apart, first, second))
       {
         return false;
