@@ -18,6 +18,10 @@
 namespace sb
 {
 
+/** The largest value of the function that counts as none; coordinates far from the origin raise it.
+ */
+double NegligibleValue(const Real3& x, double width);
+
 struct CommonPoint
 {
   bool Found = false; ///< if not, the rest is where the search was given up

@@ -286,6 +286,7 @@ private:
     double high = 1.0;
     double t = std::clamp(least / (least - this->Values[second]), 0.0, 1.0);
     SurfaceValue f;
+    bool wasLast = false;
     for (int iteration = 0; iteration < 60; ++iteration)
     {
       const Parameters at{ a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]) };
@@ -299,10 +300,13 @@ private:
       const double next = newton >= low && newton <= high ? newton : 0.5 * (low + high);
       const double step = std::abs(next - t);
       t = next;
-      if (step < 1e-14 || std::abs(f.Value) < 1e-15 * this->Surface.Width())
+      // One step more than to what is negligible: it brings all that there are digits for.
+      const bool isLast = std::abs(f.Value) <= NegligibleValue(p.Point, this->Surface.Width());
+      if (step < 1e-14 || wasLast)
       {
         break;
       }
+      wasLast = isLast;
     }
     this->Supported[edge] =
       f.Where == Support::Defined || f.Where == Support::Contradicting ? 1 : 0;
@@ -491,6 +495,7 @@ private:
     double t = crossing.AlongEdge;
     const Parameters start = at(t);
     const Real3 first = EvaluatePatch(this->Patch, start[0], start[1], 0).Point;
+    bool wasLast = false;
     for (int iteration = 0; iteration < 30; ++iteration)
     {
       const Parameters now = at(t);
@@ -504,11 +509,11 @@ private:
       {
         break;
       }
-      if (std::abs(f.Value) < 1e-15 * this->Surface.Width() ||
-        std::abs(step) * Length(tangent) < 1e-14 * this->Surface.Width())
+      if (wasLast)
       {
         return { p.Point, now[0], now[1] };
       }
+      wasLast = std::abs(f.Value) <= NegligibleValue(p.Point, this->Surface.Width());
       t += step;
     }
     // The border runs along the curve, or is a pole: the nearest point of the curve.

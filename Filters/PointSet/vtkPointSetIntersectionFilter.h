@@ -78,6 +78,8 @@ public:
   void SetToolData(vtkDataObject* tool) { this->SetInputDataObject(1, tool); }
   void SetToolConnection(vtkAlgorithmOutput* tool) { this->SetInputConnection(1, tool); }
   void RemoveTool() { this->SetInputConnection(1, nullptr); }
+  /** 1 if there is one. */
+  int GetHasTool() { return this->GetNumberOfInputConnections(1) > 0 ? 1 : 0; }
   ///@}
 
   ///@{
