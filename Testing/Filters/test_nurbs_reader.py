@@ -39,7 +39,7 @@ def diagonal(result):
     return np.linalg.norm(points.max(axis=0) - points.min(axis=0))
 
 
-SOLIDS = [("cylinder", 2.0, 5.0), ("sphere", 3.0), ("torus", 4.0, 1.0)]
+SOLIDS = [("cylinder", 2.0, 5.0), ("sphere", 3.0), ("hollow_sphere", 3.0, 1.5), ("torus", 4.0, 1.0)]
 
 
 @pytest.mark.parametrize("shape", SOLIDS, ids=lambda s: s[0])

@@ -63,7 +63,7 @@ def written_and_read(data, tmp_path, **settings):
     return said, cad.read(path, **settings)
 
 
-SOLIDS = [("cylinder", 2.0, 5.0), ("sphere", 3.0), ("torus", 4.0, 1.0)]
+SOLIDS = [("cylinder", 2.0, 5.0), ("sphere", 3.0), ("hollow_sphere", 3.0, 1.5), ("torus", 4.0, 1.0)]
 
 
 @pytest.mark.parametrize("shape", SOLIDS, ids=lambda s: s[0])
