@@ -187,7 +187,7 @@ void vtkNURBSReader::Run::MakeFacets()
     this->Check(
       sbvtk::RunCAD(monitor, 0.0, 1.0, "Make facets", [&](const Message_ProgressRange& progress) {
         this->Facets = sbvtk::MakeShapeFacets(
-          this->Shape, this->Reader->ChordError, mostTriangles, this->Executor, progress);
+          this->Shape, this->Reader->ChordError, mostTriangles, this->Executor, monitor, progress);
       }));
   }
   if (this->Facets.IsTooFine)
