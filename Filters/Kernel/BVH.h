@@ -96,9 +96,9 @@ public:
   std::int32_t NumberOfGroups() const { return (this->Size() + Width - 1) / Width; }
 
   /**
-   * Call visit(p, q) for the places p < q of each pair of boxes that meet, p in this group; so that
-   * all groups together give each pair once. What lies together is asked together, whatever the
-   * order in which the boxes came.
+   * Call visit(p, q) for the places p < q of each pair of boxes that meet, p in this group, and of
+   * some that are only next to each other; all groups together give each pair once. What lies
+   * together is asked together, whatever the order in which the boxes came.
    */
   template <class Visit>
   void ForEachPairOfGroup(std::int32_t group, Visit&& visit) const;
@@ -310,14 +310,11 @@ void BVH::ForEachPairOfGroup(std::int32_t group, Visit&& visit) const
         }
         continue;
       }
-      const Box& box = this->Boxes[static_cast<std::size_t>(child)];
-      for (unsigned hits = asking.LanesThatMeet(node.Get(lane)); hits != 0; hits &= hits - 1)
+      unsigned hits = asking.LanesThatMeet(node.Get(lane));
+      hits &= id.Index == group ? (1u << lane) - 1 : ~0u; // places before this one
+      for (; hits != 0; hits &= hits - 1)
       {
-        const std::int32_t place = group * Width + LowestLane(hits);
-        if (place < child && Overlap(this->Boxes[static_cast<std::size_t>(place)], box))
-        {
-          visit(place, child);
-        }
+        visit(group * Width + LowestLane(hits), child);
       }
     }
   }

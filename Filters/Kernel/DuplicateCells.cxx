@@ -37,30 +37,74 @@ std::uint64_t HashOf(const std::vector<std::int32_t>& list)
   return Mix(sum);
 }
 
-std::vector<KeyedIndex> HashCells(
-  const std::vector<std::int32_t>& corners, const CellRuns& cells, Executor& executor)
+/** Whether a cell may have a copy, by its neighbour at one of its outer edges. */
+bool MayHaveCopy(const std::vector<std::int32_t>& corners, const CellRuns& cells,
+  const MeshEdges& edges, std::int64_t cell)
 {
-  std::vector<KeyedIndex> keys(static_cast<std::size_t>(cells.NumberOfCells));
-  executor.For(cells.NumberOfCells, Grain, [&](std::int64_t begin, std::int64_t end) {
-    std::vector<std::int32_t> list;
-    for (std::int64_t cell = begin; cell < end; ++cell)
+  const HalfEdge begin = 3 * cells.First(cell);
+  const HalfEdge end = 3 * cells.First(cell + 1);
+  HalfEdge half = begin;
+  while (
+    half < end && edges.Mates[std::size_t(half)] >= begin && edges.Mates[std::size_t(half)] < end)
+  {
+    ++half; // an edge between triangles of the cell
+  }
+  if (half == end || edges.Mates[std::size_t(half)] < 0)
+  {
+    return begin < end; // all are inner edges, or this one is not that of two cells
+  }
+  const std::int64_t other = cells.CellOf(edges.Mates[std::size_t(half)] / 3);
+  if (3 * (cells.First(other + 1) - cells.First(other)) != end - begin)
+  {
+    return false;
+  }
+  for (HalfEdge mine = begin; mine < end; ++mine)
+  {
+    const auto first = corners.begin() + 3 * std::ptrdiff_t(cells.First(other));
+    if (std::find(first, first + (end - begin), corners[std::size_t(mine)]) ==
+      first + (end - begin))
     {
-      ListCorners(corners, cells, cell, list);
-      // A cell of which nothing is left is no copy of others like it.
-      keys[std::size_t(cell)] = { list.empty() ? Mix(static_cast<std::uint64_t>(cell))
-                                               : HashOf(list),
-        static_cast<std::int32_t>(cell) };
+      return false;
     }
-  });
+  }
+  return true;
+}
+
+/** The cells that may have copies, with hashes of their corners. */
+std::vector<KeyedIndex> HashCells(const std::vector<std::int32_t>& corners, const CellRuns& cells,
+  const MeshEdges& edges, Executor& executor)
+{
+  const std::int64_t count = cells.NumberOfCells;
+  std::vector<std::vector<KeyedIndex>> parts(std::size_t((count + Grain - 1) / Grain));
+  executor.For(
+    static_cast<std::int64_t>(parts.size()), 1, [&](std::int64_t begin, std::int64_t end) {
+      std::vector<std::int32_t> list;
+      for (std::int64_t part = begin; part < end; ++part)
+      {
+        for (std::int64_t cell = part * Grain; cell < std::min(count, (part + 1) * Grain); ++cell)
+        {
+          if (MayHaveCopy(corners, cells, edges, cell))
+          {
+            ListCorners(corners, cells, cell, list);
+            parts[std::size_t(part)].push_back({ HashOf(list), static_cast<std::int32_t>(cell) });
+          }
+        }
+      }
+    });
+  std::vector<KeyedIndex> keys;
+  for (const std::vector<KeyedIndex>& part : parts)
+  {
+    keys.insert(keys.end(), part.begin(), part.end());
+  }
   return keys;
 }
 
 } // namespace
 
-std::vector<std::int32_t> FindDuplicateCells(
-  const std::vector<std::int32_t>& corners, const CellRuns& cells, Executor& executor)
+std::vector<std::int32_t> FindDuplicateCells(const std::vector<std::int32_t>& corners,
+  const CellRuns& cells, const MeshEdges& edges, Executor& executor)
 {
-  std::vector<KeyedIndex> keys = HashCells(corners, cells, executor);
+  std::vector<KeyedIndex> keys = HashCells(corners, cells, edges, executor);
   const std::uint64_t mask = (std::uint64_t(1) << HashBits) - 1;
   RadixSort(
     keys, [](const KeyedIndex& keyed) { return keyed.Key; }, HashBits, executor);
@@ -74,12 +118,12 @@ std::vector<std::int32_t> FindDuplicateCells(
     for (; end < keys.size() && ((keys[end].Key ^ keys[begin].Key) & mask) == 0; ++end)
     {
       ListCorners(corners, cells, keys[end].Index, mine);
-      for (std::size_t other = begin; other < end && !mine.empty(); ++other)
+      for (std::size_t other = begin; other < end; ++other)
       {
         ListCorners(corners, cells, keys[other].Index, others);
         if (mine == others)
         {
-          first.resize(keys.size(), -1);
+          first.resize(std::size_t(cells.NumberOfCells), -1);
           first[std::size_t(keys[end].Index)] = keys[other].Index;
           break;
         }

@@ -6,10 +6,12 @@
 #include "Contacts.h"
 #include "ParallelSort.h"
 #include "Predicates.h"
+#include "StitchedSeams.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <memory>
 
 namespace sb
 {
@@ -154,7 +156,7 @@ public:
     this->BuildTree();
     this->OrderTriangles();
     std::vector<TrianglePair> pairs = this->FindCandidates();
-    this->Triangles = {};
+    this->Triangles.reset();
     if (this->Watch.Aborted())
     {
       return {};
@@ -186,9 +188,9 @@ private:
 
   void BuildTree()
   {
-    std::vector<Box> boxes(this->Faces.size());
-    this->Threads.For(
-      static_cast<std::int64_t>(boxes.size()), Grain, [&](std::int64_t begin, std::int64_t end) {
+    const std::unique_ptr<Box[]> boxes(new Box[this->Faces.size()]);
+    this->Threads.For(static_cast<std::int64_t>(this->Faces.size()), Grain,
+      [&](std::int64_t begin, std::int64_t end) {
         for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i)
         {
           const double* a = this->CornerOf(this->Faces[i], 0);
@@ -201,13 +203,14 @@ private:
           }
         }
       });
-    this->Tree.Build(boxes.data(), static_cast<std::int32_t>(boxes.size()), this->Threads);
+    this->Tree.Build(boxes.get(), static_cast<std::int32_t>(this->Faces.size()), this->Threads);
   }
 
   void OrderTriangles()
   {
-    this->Triangles.resize(this->Faces.size());
-    this->Threads.For(static_cast<std::int64_t>(this->Triangles.size()), Grain,
+    // Not initialised: the pages are first touched by the threads that fill them.
+    this->Triangles.reset(new FlatTriangle[this->Faces.size()]);
+    this->Threads.For(static_cast<std::int64_t>(this->Faces.size()), Grain,
       [&](std::int64_t begin, std::int64_t end) {
         for (std::size_t place = std::size_t(begin); place < std::size_t(end); ++place)
         {
@@ -289,9 +292,11 @@ private:
   SelfIntersections Gather(const ContactSet& set) const
   {
     SelfIntersections result;
+    const StitchedSeams seams(this->In.Collapsed, this->In.Edges);
     for (const Contact& contact : set.Contacts)
     {
-      if (contact.Face > contact.Other)
+      if (contact.Face > contact.Other ||
+        (!this->In.Collapsed.empty() && seams.IsAlongSeam(contact, AsOtherSeesIt(set, contact))))
       {
         continue;
       }
@@ -310,6 +315,19 @@ private:
     return result;
   }
 
+  static const Contact& AsOtherSeesIt(const ContactSet& set, const Contact& contact)
+  {
+    auto it = std::lower_bound(
+      set.Contacts.begin(), set.Contacts.end(), contact, [](const Contact& l, const Contact& r) {
+        return l.Face != r.Other ? l.Face < r.Other : l.Other < r.Face;
+      });
+    while (it->Points[0] != contact.Points[0] || it->Points[1] != contact.Points[1])
+    {
+      ++it;
+    }
+    return *it;
+  }
+
   std::array<double, 3> PositionOf(const ContactPoint& point) const
   {
     if (point.Vertex >= 0)
@@ -326,7 +344,7 @@ private:
   Monitor& Watch;
   std::vector<std::int32_t> Faces;
   BVH Tree;
-  std::vector<FlatTriangle> Triangles; ///< in the order of the tree
+  std::unique_ptr<FlatTriangle[]> Triangles; ///< in the order of the tree
 };
 
 } // namespace

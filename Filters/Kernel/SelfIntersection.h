@@ -15,6 +15,7 @@
 
 #include "CellRuns.h"
 #include "Executor.h"
+#include "MeshEdges.h"
 #include "Scene.h"
 
 #include <array>
@@ -45,6 +46,7 @@ struct SelfIntersectionInput
 {
   const Scene& World; ///< with the surface as its one operand
   const std::vector<std::int32_t>& Corners; ///< three vertices a triangle
+  const MeshEdges& Edges;
   const std::vector<std::uint8_t>& Collapsed; ///< faces without area, which are left out
   const CellRuns& Cells;
   /** [cell] the first one with the same corners; empty if all are different. Copies of one cell

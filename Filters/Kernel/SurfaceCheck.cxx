@@ -259,7 +259,7 @@ private:
   void FindDuplicates()
   {
     const CellRuns& cells = this->Sound->Cells();
-    this->FirstCopies = FindDuplicateCells(this->Corners, cells, this->Threads);
+    this->FirstCopies = FindDuplicateCells(this->Corners, cells, this->Use, this->Threads);
     for (std::size_t cell = 0; cell < this->FirstCopies.size(); ++cell)
     {
       if (this->FirstCopies[cell] != static_cast<std::int32_t>(cell))
@@ -317,7 +317,7 @@ private:
   void FindMeetings(const Scene& scene)
   {
     SelfIntersections found = FindSelfIntersections(
-      { scene, this->Corners, this->Collapsed, this->Sound->Cells(), this->FirstCopies },
+      { scene, this->Corners, this->Use, this->Collapsed, this->Sound->Cells(), this->FirstCopies },
       this->Threads, this->Watch);
     this->Result.Counts.SelfIntersections = static_cast<std::int64_t>(found.Pairs.size());
     if (found.Pairs.empty())

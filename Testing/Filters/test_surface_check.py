@@ -274,6 +274,22 @@ def test_cells_without_area():
     assert found.places(NO_AREA) == sorted([[[0, 0, 0], [2, 0, 0]], [[0, 0, 0], [2, 2, 0]], [[2, 0, 2]]])
 
 
+def test_a_seam_stitched_by_a_triangle_without_area_is_clean_but_for_that():
+    """The front face uses an edge whole, the bottom face in two parts."""
+    points = np.vstack([CUBE.points, [[1, 0, 0]]])
+    cells = [t for t in CUBE.triangles.tolist() if not {0, 1} <= set(t)]
+    for t in CUBE.triangles.tolist():
+        if {0, 1} <= set(t):
+            if 5 in t or 4 in t:
+                cells.append(t)
+            else:
+                k = next(k for k in range(3) if {t[k], t[(k + 1) % 3]} == {0, 1})
+                a, b, c = t[k], t[(k + 1) % 3], t[(k + 2) % 3]
+                cells += [[a, 8, c], [8, b, c], [a, b, 8]]
+    found = check(mesh(points, cells))
+    assert found.found == {"DegenerateCell": 1} and found.Fit == 1 and found.Closed == 1
+
+
 def test_cells_that_cannot_be_used():
     bad = mesh(np.vstack([CUBE.points, [[np.nan, 0, 0]]]), np.vstack([[[0, 1, 77]], CUBE.triangles, [[0, 1, 8]]]))
     found = check(bad)
