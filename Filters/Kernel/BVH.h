@@ -89,6 +89,20 @@ public:
   /** Whether any of the hierarchy's boxes meets this one. */
   bool AnyOverlap(const Box& box) const;
 
+  /** The boxes by their numbers, in their order along the curve: box Order()[p] is at *place* p. */
+  const std::vector<std::int32_t>& Order() const { return this->Numbers; }
+
+  /** How many groups of Width places that follow each other there are. */
+  std::int32_t NumberOfGroups() const { return (this->Size() + Width - 1) / Width; }
+
+  /**
+   * Call visit(p, q) for the places p < q of each pair of boxes that meet, p in this group, and of
+   * some that are only next to each other; all groups together give each pair once. What lies
+   * together is asked together, whatever the order in which the boxes came.
+   */
+  template <class Visit>
+  void ForEachPairOfGroup(std::int32_t group, Visit&& visit) const;
+
 private:
   static constexpr int MostLevels = 11; // 8^11 > 2^31
 
@@ -264,6 +278,43 @@ void BVH::ForEachOverlap(const Query* queries, int numberOfQueries, Visit&& visi
         {
           visit(query, number);
         }
+      }
+    }
+  }
+}
+
+template <class Visit>
+void BVH::ForEachPairOfGroup(std::int32_t group, Visit&& visit) const
+{
+  const Node& asking = this->Levels[0][static_cast<std::size_t>(group)];
+  const FloatBox bounds = asking.Bounds();
+  std::array<NodeId, MostLevels * Width> open;
+  std::size_t numberOpen = 1;
+  open[0] = { static_cast<std::int32_t>(this->Levels.size()) - 1, 0 };
+  while (numberOpen > 0)
+  {
+    const NodeId id = open[--numberOpen];
+    const Node& node =
+      this->Levels[static_cast<std::size_t>(id.Level)][static_cast<std::size_t>(id.Index)];
+    for (unsigned lanes = node.LanesThatMeet(bounds); lanes != 0; lanes &= lanes - 1)
+    {
+      const int lane = LowestLane(lanes);
+      const std::int32_t child = id.Index * Width + lane;
+      if (id.Level > 0)
+      {
+        // The last group below this child; those before the asking one have asked already.
+        const std::int64_t last = ((std::int64_t(child) + 1) << (3 * (id.Level - 1))) - 1;
+        if (last >= group)
+        {
+          open[numberOpen++] = { id.Level - 1, child };
+        }
+        continue;
+      }
+      unsigned hits = asking.LanesThatMeet(node.Get(lane));
+      hits &= id.Index == group ? (1u << lane) - 1 : ~0u; // places before this one
+      for (; hits != 0; hits &= hits - 1)
+      {
+        visit(group * Width + LowestLane(hits), child);
       }
     }
   }

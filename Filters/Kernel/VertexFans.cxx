@@ -47,7 +47,11 @@ void VertexFans::WeldPoints(const Surface& surface, Executor& executor)
   executor.For(surface.NumberOfPoints, Grain, [&](std::int64_t begin, std::int64_t end) {
     for (std::int64_t i = begin; i < end; ++i)
     {
-      keys[static_cast<std::size_t>(i)] = { HashPlace(surface.Points + 3 * i),
+      const double* point = surface.Points + 3 * i;
+      const bool isPlace = point[0] == point[0] && point[1] == point[1] && point[2] == point[2];
+      // What is not a number equals nothing: many of them are not to be compared with one another.
+      keys[static_cast<std::size_t>(i)] = { isPlace ? HashPlace(point)
+                                                    : Mix(static_cast<std::uint64_t>(i)),
         static_cast<std::int32_t>(i) };
     }
   });

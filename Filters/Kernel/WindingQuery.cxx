@@ -86,7 +86,8 @@ public:
     return false;
   }
 
-  void Count(const QueryGroup& group, std::int32_t face) const
+  /** @param above where to list what is counted, or null */
+  void Count(const QueryGroup& group, std::int32_t face, std::vector<FaceAbove>* above) const
   {
     const std::array<std::int32_t, 3> corners = this->World.Corners(group.Operand, face);
     const double* const p[3] = { this->World.Position(corners[0]), this->World.Position(corners[1]),
@@ -109,7 +110,7 @@ public:
       const double second = this->SecondCoordinate(group, it);
       if (second >= vLow && second <= vHigh && this->Queries[i].Line.Face != face)
       {
-        this->CountFor(i, face, p);
+        this->CountFor(i, face, p, above);
       }
     }
   }
@@ -123,7 +124,8 @@ private:
     return static_cast<double>(this->Queries[i].Line.Place[1]) / Refinement;
   }
 
-  void CountFor(std::size_t i, std::int32_t face, const double* const p[3]) const
+  void CountFor(
+    std::size_t i, std::int32_t face, const double* const p[3], std::vector<FaceAbove>* list) const
   {
     const Probe& line = this->Queries[i].Line;
     const int turn = Orient2D(p[0], p[1], p[2], line.Axis);
@@ -166,6 +168,10 @@ private:
         this->Answers[i].Degenerate = true;
       }
       this->Answers[i].Winding += turn;
+      if (list)
+      {
+        list->push_back({ static_cast<std::int32_t>(i), face, turn });
+      }
     }
   }
 
@@ -177,7 +183,7 @@ private:
 } // namespace
 
 void AnswerQueries(const Scene& scene, const std::vector<std::uint8_t>& collapsed,
-  std::vector<WindingQuery>& queries, Executor& executor)
+  std::vector<WindingQuery>& queries, Executor& executor, std::vector<FaceAbove>* above)
 {
   const std::unique_ptr<Answer[]> answers(new Answer[queries.size()]);
   const Counter counter(scene, queries, answers.get());
@@ -185,6 +191,7 @@ void AnswerQueries(const Scene& scene, const std::vector<std::uint8_t>& collapse
   {
     const std::vector<TriangleBlock>& blocks = scene.Blocks(group.Operand);
     const std::int32_t endOfFaces = scene.FirstFace(group.Operand + 1);
+    std::vector<std::vector<FaceAbove>> lists(above ? blocks.size() : 0);
     executor.For(
       static_cast<std::int64_t>(blocks.size()), 64, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t block = begin; block < end; ++block)
@@ -200,11 +207,21 @@ void AnswerQueries(const Scene& scene, const std::vector<std::uint8_t>& collapse
           {
             if (collapsed.empty() || !collapsed[std::size_t(face)])
             {
-              counter.Count(group, face);
+              counter.Count(group, face, above ? &lists[std::size_t(block)] : nullptr);
             }
           }
         }
       });
+    for (const std::vector<FaceAbove>& list : lists)
+    {
+      above->insert(above->end(), list.begin(), list.end());
+    }
+  }
+  if (above)
+  {
+    std::sort(above->begin(), above->end(), [](const FaceAbove& l, const FaceAbove& r) {
+      return l.Query != r.Query ? l.Query < r.Query : l.Face < r.Face;
+    });
   }
   for (std::size_t i = 0; i < queries.size(); ++i)
   {

@@ -38,12 +38,21 @@ struct WindingQuery
   bool Degenerate = false; ///< the line meets an edge, or a crossing of faces: ask again elsewhere
 };
 
+/** A face above the probed point, by which the winding number changes. */
+struct FaceAbove
+{
+  std::int32_t Query;
+  std::int32_t Face;
+  std::int32_t Turn; ///< +1 if its front is up, else -1
+};
+
 /**
  * Answer all queries. Faces of the operand in the plane of the probed face itself count by the
  * layer they have in RadialOrder.h. Faces marked in `collapsed` are passed over.
+ * @param above where to list all that was counted, sorted by query and face; may be null
  */
 void AnswerQueries(const Scene& scene, const std::vector<std::uint8_t>& collapsed,
-  std::vector<WindingQuery>& queries, Executor& executor);
+  std::vector<WindingQuery>& queries, Executor& executor, std::vector<FaceAbove>* above = nullptr);
 
 } // namespace sb
 

@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CheckMarks.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+
+namespace sbvtk
+{
+namespace
+{
+
+/** Of several, the first is shown. */
+constexpr sb::Defect ByGravity[] = { sb::Defect::BadIndex, sb::Defect::NotFinite,
+  sb::Defect::Duplicate, sb::Defect::NoArea, sb::Defect::SelfIntersection, sb::Defect::WrongWay,
+  sb::Defect::ContradictoryEdge, sb::Defect::ManyFoldEdge, sb::Defect::TouchingVertex,
+  sb::Defect::RimEdge };
+
+sb::Defect GravestOf(std::uint16_t marks)
+{
+  for (const sb::Defect defect : ByGravity)
+  {
+    if ((marks & sb::BitOf(defect)) != 0)
+    {
+      return defect;
+    }
+  }
+  return sb::Defect::None;
+}
+
+/** A new array with one value for each cell or point, which `valueOf` gives. */
+template <typename Array, typename ValueOf>
+void AddArray(
+  vtkDataSetAttributes* attributes, const char* name, vtkIdType count, ValueOf&& valueOf)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfValues(count);
+  auto* const values = array->GetPointer(0);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    values[i] = valueOf(i);
+  }
+  attributes->AddArray(array);
+}
+
+/** Cells of one kind that are wanted, and their numbers in the data set. */
+vtkSmartPointer<vtkCellArray> Selected(vtkCellArray* cells, vtkIdType first,
+  vtkIdType numberOfPoints, const CellMarks& marks, vtkIdList* kept)
+{
+  const auto result = vtkSmartPointer<vtkCellArray>::New();
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    cells->GetCellAtId(i, ids);
+    const bool isDrawable = std::all_of(
+      ids->begin(), ids->end(), [=](vtkIdType id) { return id >= 0 && id < numberOfPoints; });
+    if (isDrawable && !marks.IsUnusable(first + i))
+    {
+      result->InsertNextCell(ids);
+      kept->InsertNextId(first + i);
+    }
+  }
+  return result;
+}
+
+/** The surface without its unusable cells; all points stay. @return the cells that stay. */
+vtkSmartPointer<vtkIdList> CopyUsableCells(
+  vtkPolyData* surface, const CellMarks& marks, vtkPolyData* output)
+{
+  const auto kept = vtkSmartPointer<vtkIdList>::New();
+  const vtkIdType points = surface->GetNumberOfPoints();
+  output->SetPoints(surface->GetPoints());
+  output->GetPointData()->ShallowCopy(surface->GetPointData());
+  output->GetFieldData()->ShallowCopy(surface->GetFieldData());
+  vtkIdType first = 0;
+  for (const auto& [get, set] : { std::make_pair(&vtkPolyData::GetVerts, &vtkPolyData::SetVerts),
+         std::make_pair(&vtkPolyData::GetLines, &vtkPolyData::SetLines),
+         std::make_pair(&vtkPolyData::GetPolys, &vtkPolyData::SetPolys),
+         std::make_pair(&vtkPolyData::GetStrips, &vtkPolyData::SetStrips) })
+  {
+    vtkCellArray* cells = (surface->*get)();
+    (output->*set)(Selected(cells, first, points, marks, kept));
+    first += cells->GetNumberOfCells();
+  }
+  vtkNew<vtkIdList> places;
+  places->SetNumberOfIds(kept->GetNumberOfIds());
+  for (vtkIdType i = 0; i < kept->GetNumberOfIds(); ++i)
+  {
+    places->SetId(i, i);
+  }
+  output->GetCellData()->CopyAllOn();
+  output->GetCellData()->CopyAllocate(surface->GetCellData(), kept->GetNumberOfIds());
+  output->GetCellData()->CopyData(surface->GetCellData(), kept, places);
+  return kept;
+}
+
+/** [cell of the data set] its shell and the number of others that it meets, from its triangles. */
+struct CellNumbers
+{
+  std::vector<std::int32_t> Shell;
+  std::vector<std::int32_t> Meetings;
+};
+
+CellNumbers NumbersOf(const OperandSurface& surface, const sb::SurfaceCheckResult& result)
+{
+  CellNumbers numbers;
+  const auto count = static_cast<std::size_t>(surface.Data()->GetNumberOfCells());
+  numbers.Shell.resize(count, -1);
+  numbers.Meetings.resize(count, 0);
+  const std::int32_t cells = surface.NumberOfPolygons() + surface.NumberOfStrips();
+  for (std::int32_t cell = 0; cell < cells; ++cell)
+  {
+    const auto place = static_cast<std::size_t>(surface.FirstCell() + cell);
+    for (std::int32_t i = surface.FirstTriangle(cell); i < surface.FirstTriangle(cell + 1); ++i)
+    {
+      numbers.Shell[place] = std::max(numbers.Shell[place], result.ShellOfTriangle[i]);
+      numbers.Meetings[place] +=
+        result.MeetingsOfTriangle.empty() ? 0 : result.MeetingsOfTriangle[i];
+    }
+  }
+  return numbers;
+}
+
+void AddCellArrays(const OperandSurface& surface, const sb::SurfaceCheckResult& result,
+  const CellMarks& marks, vtkIdList* kept, vtkPolyData* output)
+{
+  const CellNumbers numbers = NumbersOf(surface, result);
+  const vtkIdType count = output->GetNumberOfCells();
+  vtkCellData* data = output->GetCellData();
+  const auto cellAt = [kept](vtkIdType i) { return kept ? kept->GetId(i) : i; };
+  AddArray<vtkUnsignedCharArray>(data, "Defect", count,
+    [&](vtkIdType i) { return static_cast<unsigned char>(marks.Gravest(cellAt(i))); });
+  AddArray<vtkIntArray>(
+    data, "ShellId", count, [&](vtkIdType i) { return numbers.Shell[cellAt(i)]; });
+  AddArray<vtkIntArray>(
+    data, "SelfIntersections", count, [&](vtkIdType i) { return numbers.Meetings[cellAt(i)]; });
+  AddArray<vtkUnsignedCharArray>(data, "Duplicate", count, [&](vtkIdType i) {
+    return static_cast<unsigned char>(marks.Has(cellAt(i), sb::Defect::Duplicate));
+  });
+  AddArray<vtkUnsignedCharArray>(data, "WrongWay", count, [&](vtkIdType i) {
+    return static_cast<unsigned char>(marks.Has(cellAt(i), sb::Defect::WrongWay));
+  });
+  data->SetActiveScalars("Defect"); // ParaView colours by it at once
+}
+
+void AddPointArrays(const sb::SurfaceCheckResult& result, vtkPolyData* output)
+{
+  const vtkIdType count = output->GetNumberOfPoints();
+  vtkPointData* data = output->GetPointData();
+  AddArray<vtkUnsignedCharArray>(data, "PointDefect", count, [&](vtkIdType i) {
+    // Points at one place are no defect: that is how creases have several normals.
+    return static_cast<unsigned char>(
+      GravestOf(result.PointMarks[i] & ~sb::BitOf(sb::Defect::Duplicate)));
+  });
+  AddArray<vtkUnsignedCharArray>(data, "DuplicatePoint", count, [&](vtkIdType i) {
+    return static_cast<unsigned char>(
+      (result.PointMarks[i] & sb::BitOf(sb::Defect::Duplicate)) != 0);
+  });
+  AddArray<vtkIntArray>(data, "LoopId", count,
+    [&](vtkIdType i) { return result.RimOfPoint.empty() ? -1 : result.RimOfPoint[i]; });
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+CellMarks::CellMarks(const OperandSurface& surface, const sb::SurfaceCheckResult& result)
+  : Marks(static_cast<std::size_t>(surface.Data()->GetNumberOfCells()), 0)
+{
+  const std::int32_t cells = surface.NumberOfPolygons() + surface.NumberOfStrips();
+  for (std::int32_t cell = 0; cell < cells; ++cell)
+  {
+    std::uint16_t& marks = this->Marks[static_cast<std::size_t>(surface.FirstCell() + cell)];
+    const std::int32_t end = surface.FirstTriangle(cell + 1);
+    if (surface.FirstTriangle(cell) == end)
+    {
+      marks = sb::BitOf(sb::Defect::NoArea); // fewer than three corners
+    }
+    for (std::int32_t i = surface.FirstTriangle(cell); i < end; ++i)
+    {
+      marks |= result.TriangleMarks[i];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::int64_t CellMarks::Count(sb::Defect defect) const
+{
+  return std::count_if(this->Marks.begin(), this->Marks.end(),
+    [defect](std::uint16_t marks) { return (marks & sb::BitOf(defect)) != 0; });
+}
+
+//------------------------------------------------------------------------------
+sb::Defect CellMarks::Gravest(vtkIdType cell) const
+{
+  return GravestOf(this->Marks[static_cast<std::size_t>(cell)]);
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkIdType> CellMarks::Unusable() const
+{
+  std::vector<vtkIdType> cells;
+  for (std::size_t cell = 0; cell < this->Marks.size(); ++cell)
+  {
+    if (this->IsUnusable(static_cast<vtkIdType>(cell)))
+    {
+      cells.push_back(static_cast<vtkIdType>(cell));
+    }
+  }
+  return cells;
+}
+
+//------------------------------------------------------------------------------
+void BuildMarkedSurface(const OperandSurface& surface, const sb::SurfaceCheckResult& result,
+  const CellMarks& marks, vtkPolyData* output)
+{
+  vtkSmartPointer<vtkIdList> kept;
+  if (marks.Unusable().empty())
+  {
+    output->ShallowCopy(surface.Data());
+  }
+  else
+  {
+    kept = CopyUsableCells(surface.Data(), marks, output);
+  }
+  AddCellArrays(surface, result, marks, kept, output);
+  AddPointArrays(result, output);
+}
+
+} // namespace sbvtk
