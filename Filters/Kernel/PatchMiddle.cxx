@@ -18,11 +18,6 @@ Real3 MiddleOf(const Real3& a, const Real3& b)
   return { 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2]) };
 }
 
-std::array<double, 2> MiddleOf(const std::array<double, 2>& a, const std::array<double, 2>& b)
-{
-  return { 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]) };
-}
-
 constexpr double CommonInEdges = 1e-12; ///< what counts as one point
 
 double Apart(const Real3& a, const Real3& b) { return Length(Difference(a, b)); }
@@ -44,66 +39,26 @@ bool CommonPoint(const Real3 (&n)[3], const Real3& d, Real3& x)
 
 } // namespace
 
-PlaceOnPatch NearestOnPatch(const NURBSSurface& patch, const Real3& x, std::array<double, 2> uv)
-{
-  constexpr int most = 20;
-  PatchPoint at = EvaluatePatch(patch, uv[0], uv[1], 1);
-  for (int iteration = 0; iteration < most; ++iteration)
-  {
-    const Real3 away = Difference(x, at.Point);
-    const double uu = Dot(at.Du, at.Du);
-    const double mixed = Dot(at.Du, at.Dv);
-    const double vv = Dot(at.Dv, at.Dv);
-    const double determinant = uu * vv - mixed * mixed;
-    const double alongU = Dot(at.Du, away);
-    const double alongV = Dot(at.Dv, away);
-    // At a pole one direction has no length: then only the other one is followed.
-    const bool isRegular = determinant > 1e-12 * uu * vv;
-    const double du = isRegular ? (vv * alongU - mixed * alongV) / determinant
-                                : (uu >= vv && uu > 0.0 ? alongU / uu : 0.0);
-    const double dv =
-      isRegular ? (uu * alongV - mixed * alongU) / determinant : (vv > uu ? alongV / vv : 0.0);
-    bool isNearer = false;
-    for (double factor = 1.0; !isNearer && factor > 1e-3; factor *= 0.25)
-    {
-      const std::array<double, 2> next{ std::clamp(
-                                          uv[0] + factor * du, patch.FirstU(), patch.LastU()),
-        std::clamp(uv[1] + factor * dv, patch.FirstV(), patch.LastV()) };
-      const PatchPoint reached = EvaluatePatch(patch, next[0], next[1], 1);
-      isNearer = Apart(reached.Point, x) < Apart(at.Point, x);
-      if (isNearer)
-      {
-        uv = next;
-        at = reached;
-      }
-    }
-    if (!isNearer)
-    {
-      break;
-    }
-  }
-  return { at.Point, uv };
-}
-
 PlaceOnPatch MiddleOnPatch(const PatchEdge& edge)
 {
   const Real3 middle = MiddleOf(edge.A.Point, edge.B.Point);
   const double farthest = FarthestInEdges * Apart(edge.A.Point, edge.B.Point);
-  const std::array<double, 2> uv = MiddleOf(edge.A.UV, edge.B.UV);
-  const Real3 point = EvaluatePatch(*edge.Patch, uv[0], uv[1], 0).Point;
+  const double u = 0.5 * (edge.A.U + edge.B.U);
+  const double v = 0.5 * (edge.A.V + edge.B.V);
+  const Real3 point = EvaluatePatch(*edge.Patch, u, v, 0).Point;
   if (Apart(point, middle) <= farthest)
   {
-    return { point, uv };
+    return { u, v, point, Apart(point, middle) };
   }
-  for (const std::array<double, 2>& start : { edge.A.UV, edge.B.UV, uv })
+  for (const PlaceOnPatch* start : { &edge.A, &edge.B })
   {
-    const PlaceOnPatch nearest = NearestOnPatch(*edge.Patch, middle, start);
-    if (Apart(nearest.Point, middle) <= farthest)
+    const PlaceOnPatch nearest = ClosestOnPatchFrom(*edge.Patch, middle, start->U, start->V);
+    if (nearest.Distance <= farthest)
     {
       return nearest;
     }
   }
-  return { middle, uv };
+  return { u, v, middle, 0.0 };
 }
 
 namespace
@@ -124,7 +79,7 @@ bool MeetingPoint(
     Real3 offsets{};
     for (std::size_t k = 0; k < 2; ++k)
     {
-      const PatchPoint at = EvaluatePatch(*edges[k].Patch, places[k].UV[0], places[k].UV[1], 1);
+      const PatchPoint at = EvaluatePatch(*edges[k].Patch, places[k].U, places[k].V, 1);
       const Real3 normal = Cross(at.Du, at.Dv);
       const double length = Length(normal);
       normals[k] = length > 0.0 ? Scaled(normal, 1.0 / length) : Real3{};
@@ -141,7 +96,7 @@ bool MeetingPoint(
     common = next;
     for (std::size_t k = 0; k < 2; ++k)
     {
-      places[k] = NearestOnPatch(*edges[k].Patch, common, places[k].UV);
+      places[k] = ClosestOnPatchFrom(*edges[k].Patch, common, places[k].U, places[k].V);
     }
     if (moved <= CommonInEdges * size)
     {
@@ -153,7 +108,7 @@ bool MeetingPoint(
 
 } // namespace
 
-Real3 CommonMiddle(const std::vector<PatchEdge>& edges, std::vector<std::array<double, 2>>& uv)
+Real3 CommonMiddle(const std::vector<PatchEdge>& edges, std::vector<PlaceOnPatch>& places)
 {
   std::vector<PlaceOnPatch> middles;
   std::vector<Real3> candidates;
@@ -170,7 +125,8 @@ Real3 CommonMiddle(const std::vector<PatchEdge>& edges, std::vector<std::array<d
   for (std::size_t k = 0; k < edges.size(); ++k)
   {
     const Real3 chord = MiddleOf(edges[k].A.Point, edges[k].B.Point);
-    candidates.push_back(NearestOnPatch(*edges[k].Patch, chord, middles[k].UV).Point);
+    candidates.push_back(
+      ClosestOnPatchFrom(*edges[k].Patch, chord, middles[k].U, middles[k].V).Point);
     candidates.push_back(middles[k].Point);
   }
   const double enough = CommonInEdges * Apart(edges.front().A.Point, edges.front().B.Point);
@@ -179,18 +135,18 @@ Real3 CommonMiddle(const std::vector<PatchEdge>& edges, std::vector<std::array<d
   for (std::size_t c = 0; c < candidates.size() && least > enough; ++c)
   {
     double gap = 0.0;
-    std::vector<std::array<double, 2>> places;
+    std::vector<PlaceOnPatch> nearest;
     for (std::size_t k = 0; k < edges.size(); ++k)
     {
-      const PlaceOnPatch nearest = NearestOnPatch(*edges[k].Patch, candidates[c], middles[k].UV);
-      gap = std::max(gap, Apart(nearest.Point, candidates[c]));
-      places.push_back(nearest.UV);
+      nearest.push_back(
+        ClosestOnPatchFrom(*edges[k].Patch, candidates[c], middles[k].U, middles[k].V));
+      gap = std::max(gap, nearest.back().Distance);
     }
     if (gap < least)
     {
       least = gap;
       best = candidates[c];
-      uv = places;
+      places = nearest;
     }
   }
   return best;

@@ -10,19 +10,12 @@
 #ifndef sb_PatchMiddle_h
 #define sb_PatchMiddle_h
 
-#include "NURBSSurface.h"
+#include "ClosestOnPatch.h"
 
-#include <array>
 #include <vector>
 
 namespace sb
 {
-
-struct PlaceOnPatch
-{
-  Real3 Point{};
-  std::array<double, 2> UV{};
-};
 
 /** An edge of a facet: its ends on the patch. */
 struct PatchEdge
@@ -31,10 +24,6 @@ struct PatchEdge
   PlaceOnPatch A;
   PlaceOnPatch B;
 };
-
-/** The place of the patch nearest to x, looked for from u and v by the method of Gauss and Newton.
- */
-PlaceOnPatch NearestOnPatch(const NURBSSurface& patch, const Real3& x, std::array<double, 2> uv);
 
 /** Its point is that of the patch, or the middle of the chord where the patch has none near it. */
 PlaceOnPatch MiddleOnPatch(const PatchEdge& edge);
@@ -45,9 +34,9 @@ PlaceOnPatch MiddleOnPatch(const PatchEdge& edge);
  * their tangent planes meet the plane across the middle of the chord, again and again; else, of the
  * middles on the single patches and the places nearest to that of the chord, the one that is
  * nearest to all patches.
- * @param uv that of the point on each patch
+ * @param places on each patch, the nearest to the point
  */
-Real3 CommonMiddle(const std::vector<PatchEdge>& edges, std::vector<std::array<double, 2>>& uv);
+Real3 CommonMiddle(const std::vector<PatchEdge>& edges, std::vector<PlaceOnPatch>& places);
 
 } // namespace sb
 

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SeamTarget.h"
 
+#include "CommonPoint.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace sb
 {
@@ -12,9 +15,9 @@ namespace
 {
 
 constexpr double SamePlane = 1e-9; ///< one minus the cosine between two triangles' normals
-constexpr double LeastCrossing = 0.05; ///< sine between the surfaces; below it they touch
+constexpr double LeastCrossing = 0.05; ///< sine between a line and the surface; below it they touch
 constexpr int MostSteps = 12;
-constexpr double Tiny = 1e-15; ///< a step by this share of the coordinates changes nothing
+constexpr double NearlyThere = 1e-9; ///< of the limit of a move
 
 /** The direction of the edge that two triangles share; zero if they share none. */
 Real3 SharedEdge(const ToolSurface& tool, std::int32_t s, std::int32_t t)
@@ -48,12 +51,31 @@ bool AreOnOnePatch(const ToolSurface& tool, const std::vector<std::int32_t>& tri
       [&](std::int32_t t) { return face(t) >= 0 && face(t) == face(triangles.front()); });
 }
 
-/** Along which a vertex in a plane or on a line is to be moved, given the gradient. */
-Real3 Allowed(const SeamFreedom& freedom, const Real3& gradient)
+/** The root of the function along a line. */
+CommonPoint OntoCloudAndLine(const MovingLeastSquares& cloud, const Real3& start,
+  const Real3& along, double limit, MovingLeastSquares::Neighbourhood& near)
 {
-  return freedom.What == SeamFreedom::Kind::Plane
-    ? WithoutPartAlong(gradient, freedom.Direction)
-    : Scaled(freedom.Direction, Dot(gradient, freedom.Direction));
+  CommonPoint now;
+  now.Point = start;
+  cloud.Gather(start, limit, near);
+  double best = std::numeric_limits<double>::infinity();
+  CommonPoint reached;
+  for (int step = 0; step < MostSteps; ++step)
+  {
+    now.Surface = cloud.EvaluateNear(now.Point, 1, near);
+    const double slope = Dot(now.Surface.Gradient, along);
+    const double residual = std::abs(now.Surface.Value);
+    if (!now.Surface.IsNear || !(residual < best) ||
+      !(std::abs(slope) > LeastCrossing * Length(now.Surface.Gradient)))
+    {
+      break;
+    }
+    best = residual;
+    reached = now;
+    reached.Found = residual < NearlyThere * limit;
+    now.Point = PlusScaled(now.Point, -now.Surface.Value / slope, along);
+  }
+  return reached.Found ? reached : now;
 }
 
 } // namespace
@@ -102,43 +124,35 @@ SeamTarget FindSeamTarget(const MovingLeastSquares& cloud, const ToolSurface& to
   const SeamFreedom& freedom, const Real3& start, double limit,
   MovingLeastSquares::Neighbourhood& near)
 {
-  SeamTarget target;
-  target.Place = start;
-  cloud.Gather(start, limit, near);
-  const double size = std::max({ std::abs(start[0]), std::abs(start[1]), std::abs(start[2]) });
-  const Real3 normal = tool.Normal(freedom.Triangle);
-  for (int step = 0; step < MostSteps; ++step)
+  CommonPoint found;
+  found.Point = start;
+  switch (freedom.What)
   {
-    const SurfaceValue f = cloud.EvaluateNear(target.Place, 1, near);
-    const double steepness = Length(f.Gradient);
-    if (!f.IsNear || !(steepness > 0.0))
+    case SeamFreedom::Kind::Plane:
+      found = OntoCloudAndPlane(cloud, start, freedom.Direction, start, near);
+      break;
+    case SeamFreedom::Kind::Patch:
     {
-      return target;
+      const std::array<double, 2> uv = tool.ParametersOf(freedom.Triangle, start);
+      found = OntoCloudAndPatch(cloud, tool.PatchOf(freedom.Triangle), uv[0], uv[1], near);
+      break;
     }
-    target.Residual = std::abs(f.Value) / steepness;
-    target.Tangency = std::abs(Dot(f.Gradient, normal)) / steepness;
-    const Real3 along =
-      freedom.What == SeamFreedom::Kind::Fixed ? Real3{} : Allowed(freedom, f.Gradient);
-    const double squared = Dot(along, along);
-    target.Reached = target.Residual <= Tiny * (size + limit);
-    if (target.Reached || !(squared > LeastCrossing * LeastCrossing * steepness * steepness))
-    {
-      return target;
-    }
-    const Real3 next = PlusScaled(target.Place, -f.Value / squared, along);
-    if (!(Length(Difference(next, start)) <= limit))
-    {
-      return target;
-    }
-    const bool moved = Length(Difference(next, target.Place)) > Tiny * (size + limit);
-    target.Place = next;
-    if (!moved)
-    {
-      target.Reached = true;
-      return target;
-    }
+    case SeamFreedom::Kind::Line:
+      found = OntoCloudAndLine(cloud, start, freedom.Direction, limit, near);
+      break;
+    case SeamFreedom::Kind::Fixed:
+      found.Surface = cloud.EvaluateAt(start, 1, near);
   }
-  target.Reached = target.Residual < 1e-9 * limit;
+  SeamTarget target;
+  target.Reached = found.Found && Length(Difference(found.Point, start)) <= limit;
+  target.Place = target.Reached ? found.Point : start;
+  const double steepness = Length(found.Surface.Gradient);
+  if (steepness > 0.0)
+  {
+    target.Residual = std::abs(found.Surface.Value) / steepness;
+    target.Tangency =
+      std::abs(Dot(found.Surface.Gradient, tool.Normal(freedom.Triangle))) / steepness;
+  }
   return target;
 }
 

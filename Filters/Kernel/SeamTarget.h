@@ -37,7 +37,7 @@ SeamFreedom FreedomOn(const ToolSurface& tool, const std::vector<std::int32_t>& 
 struct SeamTarget
 {
   Real3 Place{};
-  double Residual = 0.0; ///< |f| / |grad f| there
+  double Residual = 0.0; ///< |f| / |grad f| where the search ended
   double Tangency = 0.0; ///< the cosine between the surfaces' normals there, 0 or more
   bool Reached = false; ///< it is on both, and nearer than the limit
 };

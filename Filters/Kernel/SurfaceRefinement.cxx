@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceRefinement.h"
 
-#include "Hash.h"
 #include "NearSamples.h"
 #include "ParallelSort.h"
 #include "PatchMiddle.h"
+#include "PlaceTable.h"
+#include "TriangleCutting.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace sb
@@ -20,7 +20,7 @@ namespace
 
 constexpr std::int64_t Grain = 256;
 constexpr int MostRounds = 60;
-constexpr std::int32_t None = -1;
+constexpr std::int32_t None = PlaceTable::None;
 
 /** A triangle that is, or may have to be, cut. */
 struct Piece
@@ -28,73 +28,6 @@ struct Piece
   std::array<std::int32_t, 3> Points;
   std::int32_t Original;
   bool IsNear;
-};
-
-/** Two places, the lower number first, as one number. */
-std::uint64_t PairOf(std::int32_t a, std::int32_t b)
-{
-  const auto ends = std::minmax(a, b);
-  return std::uint64_t(static_cast<std::uint32_t>(ends.first)) << 32 |
-    static_cast<std::uint32_t>(ends.second);
-}
-
-/** The numbers of places: points with equal coordinates have the same one. */
-class PlaceTable
-{
-public:
-  explicit PlaceTable(std::size_t capacity)
-  {
-    std::size_t size = 16;
-    while (size < 2 * capacity)
-    {
-      size *= 2;
-    }
-    this->Slots.assign(size, None);
-  }
-
-  /** The number of the place, a new one if it has none. */
-  std::int32_t Add(const double* x)
-  {
-    const std::size_t slot = this->SlotOf(x);
-    if (this->Slots[slot] == None)
-    {
-      this->Slots[slot] = static_cast<std::int32_t>(this->Places.size());
-      this->Places.push_back(x);
-    }
-    return this->Slots[slot];
-  }
-
-  /** The number of the place, or None. */
-  std::int32_t Find(const double* x) const { return this->Slots[this->SlotOf(x)]; }
-
-  std::int32_t Size() const { return static_cast<std::int32_t>(this->Places.size()); }
-
-private:
-  std::size_t SlotOf(const double* x) const
-  {
-    std::uint64_t hash = 0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double coordinate = x[axis] + 0.0; // one zero
-      std::uint64_t bits = 0;
-      std::memcpy(&bits, &coordinate, sizeof bits);
-      hash = Mix(hash + bits + 0x9e3779b97f4a7c15u);
-    }
-    std::size_t slot = hash & (this->Slots.size() - 1);
-    while (this->Slots[slot] != None)
-    {
-      const double* const other = this->Places[static_cast<std::size_t>(this->Slots[slot])];
-      if (other[0] == x[0] && other[1] == x[1] && other[2] == x[2])
-      {
-        break;
-      }
-      slot = (slot + 1) & (this->Slots.size() - 1);
-    }
-    return slot;
-  }
-
-  std::vector<std::int32_t> Slots;
-  std::vector<const double*> Places; ///< one point at each
 };
 
 /** All rounds and what they share. */
@@ -155,7 +88,7 @@ private:
   PlaceOnPatch Place(std::int32_t i) const
   {
     const double* uv = this->UV.data() + 2 * static_cast<std::size_t>(i);
-    return { this->Point(i), { uv[0], uv[1] } };
+    return { uv[0], uv[1], this->Point(i), 0.0 };
   }
 
   const NURBSSurface& PatchOf(std::int32_t original) const
@@ -194,15 +127,16 @@ private:
   double ErrorOfMiddle(std::int32_t original, const std::array<std::int32_t, 3>& p) const
   {
     Real3 middle{};
-    std::array<double, 2> uv{};
+    double u = 0.0;
+    double v = 0.0;
     for (const std::int32_t point : p)
     {
       const PlaceOnPatch place = this->Place(point);
       middle = PlusScaled(middle, 1.0 / 3.0, place.Point);
-      uv[0] += place.UV[0] / 3.0;
-      uv[1] += place.UV[1] / 3.0;
+      u += place.U / 3.0;
+      v += place.V / 3.0;
     }
-    const Real3 onPatch = EvaluatePatch(this->PatchOf(original), uv[0], uv[1], 0).Point;
+    const Real3 onPatch = EvaluatePatch(this->PatchOf(original), u, v, 0).Point;
     const double error = Length(Difference(onPatch, middle));
     return error < 0.5 * this->LongestEdge(p) ? error : 0.0;
   }
@@ -358,7 +292,7 @@ private:
         const std::int32_t b = this->PlaceId(this->Pieces[i].Points[(k + 1) % 3]);
         if ((wanted[i] >> k & 1) != 0 && a != b)
         {
-          this->Marked.push_back(PairOf(a, b));
+          this->Marked.push_back(PairOfPlaces(a, b));
         }
       }
     }
@@ -409,7 +343,7 @@ private:
     {
       return None;
     }
-    const std::uint64_t pair = PairOf(first, second);
+    const std::uint64_t pair = PairOfPlaces(first, second);
     const auto found = std::lower_bound(this->Marked.begin(), this->Marked.end(), pair);
     return found != this->Marked.end() && *found == pair
       ? static_cast<std::int32_t>(found - this->Marked.begin())
@@ -422,8 +356,8 @@ private:
     this->IsEnd.assign(static_cast<std::size_t>(this->NumberOfPlaces), 0);
     for (const std::uint64_t pair : this->Marked)
     {
-      this->IsEnd[static_cast<std::size_t>(pair >> 32)] = 1;
-      this->IsEnd[static_cast<std::size_t>(pair & 0xffffffffu)] = 1;
+      this->IsEnd[static_cast<std::size_t>(LowerPlace(pair))] = 1;
+      this->IsEnd[static_cast<std::size_t>(UpperPlace(pair))] = 1;
     }
     this->MarksOfPieces.resize(this->Pieces.size());
     this->ForPieces([&](std::size_t i) {
@@ -458,7 +392,7 @@ private:
       {
         if (this->MarksOfPieces[i][k] != None)
         {
-          this->Uses.push_back({ PairOf(piece.Points[k], piece.Points[(k + 1) % 3]),
+          this->Uses.push_back({ PairOfPlaces(piece.Points[k], piece.Points[(k + 1) % 3]),
             this->MarksOfPieces[i][k], this->FaceOf(piece.Original), piece.Original });
         }
       }
@@ -506,9 +440,8 @@ private:
     }
     else
     {
-      const Real3 a = this->Point(static_cast<std::int32_t>(this->Uses[first].Points >> 32));
-      const Real3 b =
-        this->Point(static_cast<std::int32_t>(this->Uses[first].Points & 0xffffffffu));
+      const Real3 a = this->Point(LowerPlace(this->Uses[first].Points));
+      const Real3 b = this->Point(UpperPlace(this->Uses[first].Points));
       point = { 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2]) };
     }
     for (std::size_t use = first; use < last; ++use)
@@ -523,22 +456,22 @@ private:
   Real3 PlaceOnPatches(std::size_t first, std::size_t last)
   {
     const auto edgeOf = [&](std::size_t use) {
-      return this->EdgeOnPatch(this->Uses[use].Original,
-        static_cast<std::int32_t>(this->Uses[use].Points >> 32),
-        static_cast<std::int32_t>(this->Uses[use].Points & 0xffffffffu));
+      return this->EdgeOnPatch(this->Uses[use].Original, LowerPlace(this->Uses[use].Points),
+        UpperPlace(this->Uses[use].Points));
     };
-    const auto store = [&](std::size_t use, const std::array<double, 2>& uv) {
-      std::copy_n(
-        uv.data(), 2, this->UV.data() + 2 * (static_cast<std::size_t>(this->FirstNewPoint) + use));
+    const auto store = [&](std::size_t use, const PlaceOnPatch& place) {
+      double* uv = this->UV.data() + 2 * (static_cast<std::size_t>(this->FirstNewPoint) + use);
+      uv[0] = place.U;
+      uv[1] = place.V;
     };
     if (last - first == 1)
     {
       const PlaceOnPatch place = MiddleOnPatch(edgeOf(first));
-      store(first, place.UV);
+      store(first, place);
       return place.Point;
     }
     std::vector<PatchEdge> edges;
-    std::vector<std::array<double, 2>> places;
+    std::vector<PlaceOnPatch> places;
     for (std::size_t use = first; use < last; ++use)
     {
       edges.push_back(edgeOf(use));
@@ -560,7 +493,7 @@ private:
       return None;
     }
     const auto& p = this->Pieces[piece].Points;
-    const Use wanted{ PairOf(p[k], p[(k + 1) % 3]), mark,
+    const Use wanted{ PairOfPlaces(p[k], p[(k + 1) % 3]), mark,
       this->FaceOf(this->Pieces[piece].Original), None };
     const auto found = std::lower_bound(this->Uses.begin() + this->FirstUses[std::size_t(mark)],
       this->Uses.begin() + this->FirstUses[std::size_t(mark) + 1], wanted);
@@ -588,41 +521,22 @@ private:
     });
   }
 
-  /** From the middle of the longest of the cut edges to the corner across it, and the halves from
-   * that middle again. */
   void Cut(std::size_t i, const std::array<std::int32_t, 3>& middles)
   {
     const Piece piece = this->Pieces[i];
-    std::size_t first = 0;
-    double longest = -1.0;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const double length = this->EdgeLength(piece.Points[k], piece.Points[(k + 1) % 3]);
-      if (middles[k] != None && length > longest)
+    const auto& p = piece.Points;
+    const std::array<double, 3> lengths{ this->EdgeLength(p[0], p[1]), this->EdgeLength(p[1], p[2]),
+      this->EdgeLength(p[2], p[0]) };
+    bool isFirst = true;
+    CutTriangle(p, middles, lengths, [&](const std::array<std::int32_t, 3>& corners) {
+      if (isFirst)
       {
-        first = k;
-        longest = length;
+        this->Pieces[i].Points = corners;
+        isFirst = false;
+        return;
       }
-    }
-    const std::int32_t a = piece.Points[first];
-    const std::int32_t b = piece.Points[(first + 1) % 3];
-    const std::int32_t c = piece.Points[(first + 2) % 3];
-    const std::int32_t ab = middles[first];
-    const std::int32_t bc = middles[(first + 1) % 3];
-    const std::int32_t ca = middles[(first + 2) % 3];
-    const auto add = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
-      this->Pieces.push_back({ { x, y, z }, piece.Original, piece.IsNear });
-    };
-    this->Pieces[i].Points = { a, ab, ca != None ? ca : c };
-    if (ca != None)
-    {
-      add(ab, c, ca);
-    }
-    add(ab, b, bc != None ? bc : c);
-    if (bc != None)
-    {
-      add(ab, bc, c);
-    }
+      this->Pieces.push_back({ corners, piece.Original, piece.IsNear });
+    });
   }
 
   void Assemble(RefinedSurface& refined)

@@ -6,7 +6,7 @@
  * and as they were elsewhere.
  *
  * Edges that are too long are halved, all at once, round after round. A triangle is cut from the
- * middle of its longest edge first (Rivara 1984; Carey's and Plaza's four-triangle partition), so
+ * middle of its longest edge first (Rivara 1984), so
  * its angles do not get worse the finer it is. What decides is the edge and the triangles beside
  * it, found by coordinates: both sides of an edge get the same points, and a surface that is closed
  * by coordinates stays so. Triangles that are not near take up the points on their edges and are

@@ -48,7 +48,14 @@ public:
   /** From a place to the surface, or `limit` if it is not nearer. */
   double Distance(const Real3& place, double limit) const;
 
-  /** u and v of a point of a triangle, which has to have a patch. */
+  /** The patch of a triangle, which has to have one. */
+  const NURBSSurface& PatchOf(std::int32_t triangle) const
+  {
+    return this->Designed->Patches[static_cast<std::size_t>(
+      this->Designed->FaceId[static_cast<std::size_t>(triangle)])];
+  }
+
+  /** u and v, in that patch, of a point near a triangle: those of its corners, interpolated. */
   std::array<double, 2> ParametersOf(std::int32_t triangle, const Real3& place) const;
 
 private:
