@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CloudBoolean.h"
 
+#include "ClosestOnPatch.h"
 #include "Ingest.h"
 #include "MeshParts.h"
 #include "OpenScanBoolean.h"
@@ -16,6 +17,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -30,7 +32,7 @@ constexpr double ChordInSpacings = 0.1; ///< of the refined tool
 constexpr double SpeckInCells = 4.0; ///< parts of the cloud's mesh not longer than this are noise
 constexpr double LeastWindingOfScan = -0.25; ///< below it, the scan's normals point inwards
 constexpr double Tangent = 0.995; ///< cosine between surfaces that hardly cross
-constexpr std::size_t Probes = 20000; ///< at which errors are measured
+constexpr std::size_t Probes = 10000; ///< at which errors are measured
 constexpr std::int64_t Grain = 512;
 constexpr double Pi = 3.14159265358979323846;
 const double None = std::numeric_limits<double>::quiet_NaN();
@@ -101,14 +103,10 @@ private:
     {
       this->Result.Status = CloudBooleanStatus::OpenTool;
     }
-    this->Result.ToolWasInsideOut = found->IsInsideOut;
     this->Result.ToolVolume = std::abs(found->Report.Volume);
-    if (found->IsInsideOut)
+    for (std::size_t i = 0; found->IsInsideOut && i < this->Body.Triangles.size(); i += 3)
     {
-      for (std::size_t corner = 0; corner < this->Body.Triangles.size(); corner += 3)
-      {
-        std::swap(this->Body.Triangles[corner + 1], this->Body.Triangles[corner + 2]);
-      }
+      std::swap(this->Body.Triangles[i + 1], this->Body.Triangles[i + 2]);
     }
   }
 
@@ -303,15 +301,20 @@ private:
     this->Result.Seam =
       TraceSeam(this->Curves, this->Before, this->Snapped, this->Snapping, this->Threads);
     this->Result.Errors.Chord = this->Result.Seam.LargestChordError;
-    if (this->Body.HasPatches())
+    for (std::size_t i = 0; this->Body.HasPatches() && i < this->Result.Seam.Points.size(); ++i)
     {
-      for (std::size_t i = 0; i < this->Result.Seam.Points.size(); ++i)
-      {
-        const std::int32_t triangle = this->Result.Seam.Triangle[i];
-        this->Result.SeamUV.push_back(
-          this->Tool->ParametersOf(triangle, this->Result.Seam.Points[i]));
-      }
+      this->Result.SeamUV.push_back(
+        this->ParametersOf(this->Result.Seam.Triangle[i], this->Result.Seam.Points[i]));
     }
+  }
+
+  /** u and v of the place of the triangle's patch that is nearest to a place of the triangle. */
+  std::array<double, 2> ParametersOf(std::int32_t triangle, const Real3& place) const
+  {
+    const std::array<double, 2> start = this->Tool->ParametersOf(triangle, place);
+    const PlaceOnPatch found =
+      ClosestOnPatchFrom(this->Tool->PatchOf(triangle), place, start[0], start[1]);
+    return { found.U, found.V };
   }
 
   void SortSamples()
@@ -332,8 +335,16 @@ private:
     this->FillTriangles();
     this->FillNormals();
     this->FillResiduals();
-    this->FillParameters();
     this->CountBorder();
+    this->CountFlipped();
+    if (this->Body.HasPatches())
+    {
+      this->SeparateFaces();
+    }
+    if (this->Request.WithNearestSamples)
+    {
+      this->FindNearestSamples();
+    }
     this->MeasureErrors();
   }
 
@@ -433,28 +444,123 @@ private:
     }
   }
 
-  /** At an edge of two faces, those of the face with the smaller number. */
+  /** Give each face of the tool, and the cloud, points of their own. */
+  void SeparateFaces()
+  {
+    CombinedMesh& mesh = this->Result.Mesh;
+    std::vector<std::int32_t>& corners = mesh.Triangles;
+    constexpr std::int32_t unknown = -2;
+    std::vector<std::int32_t> faceOf(mesh.OriginalPoint.size(), unknown);
+    std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> others;
+    for (std::size_t corner = 0; corner < corners.size(); ++corner)
+    {
+      const std::int32_t point = corners[corner];
+      const std::int32_t face = this->Result.FaceId[corner / 3];
+      std::int32_t& first = faceOf[static_cast<std::size_t>(point)];
+      first = first == unknown ? face : first;
+      if (first != face)
+      {
+        const auto found = others.emplace(std::make_pair(point, face), mesh.NumberOfPoints());
+        if (found.second)
+        {
+          this->RepeatPoint(static_cast<std::size_t>(point));
+        }
+        corners[corner] = found.first->second;
+      }
+    }
+    this->FillParameters();
+  }
+
+  void RepeatPoint(std::size_t point)
+  {
+    CombinedMesh& mesh = this->Result.Mesh;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      mesh.Points.push_back(mesh.Points[3 * point + axis]);
+      this->Result.Normals.push_back(this->Result.Normals[3 * point + axis]);
+    }
+    mesh.OriginalPoint.push_back(mesh.OriginalPoint[point]);
+    mesh.PointSource.push_back(mesh.PointSource[point]);
+    this->Result.Sides.push_back(this->Result.Sides[point]);
+    this->Result.Residuals.push_back(this->Result.Residuals[point]);
+  }
+
+  /** u, v and the normal of the patch, of points that belong to one face each. */
   void FillParameters()
   {
-    if (!this->Body.HasPatches())
-    {
-      return;
-    }
     const CombinedMesh& mesh = this->Result.Mesh;
     this->Result.UV.assign(2 * mesh.OriginalPoint.size(), None);
-    std::vector<std::int32_t> face(mesh.OriginalPoint.size(), std::numeric_limits<int>::max());
+    std::vector<std::int32_t> triangleOf(mesh.OriginalPoint.size(), -1);
     for (std::size_t corner = 0; corner < mesh.Triangles.size(); ++corner)
     {
-      const std::size_t point = static_cast<std::size_t>(mesh.Triangles[corner]);
-      const std::int32_t own = this->Result.FaceId[corner / 3];
-      if (own >= 0 && own < face[point])
+      if (this->Result.FaceId[corner / 3] >= 0)
       {
-        face[point] = own;
-        const std::array<double, 2> uv = this->Tool->ParametersOf(
-          mesh.Parent[corner / 3], mesh.Point(static_cast<std::int32_t>(point)));
-        std::copy_n(
-          uv.begin(), 2, this->Result.UV.begin() + 2 * static_cast<std::ptrdiff_t>(point));
+        triangleOf[static_cast<std::size_t>(mesh.Triangles[corner])] =
+          static_cast<std::int32_t>(corner / 3);
       }
+    }
+    this->ForPoints([&](std::size_t i, auto&) {
+      if (triangleOf[i] < 0)
+      {
+        return;
+      }
+      const std::size_t t = static_cast<std::size_t>(triangleOf[i]);
+      const std::array<double, 2> uv =
+        this->ParametersOf(mesh.Parent[t], mesh.Point(static_cast<std::int32_t>(i)));
+      std::copy_n(uv.begin(), 2, this->Result.UV.begin() + 2 * static_cast<std::ptrdiff_t>(i));
+      const PatchPoint on = EvaluatePatch(this->Tool->PatchOf(mesh.Parent[t]), uv[0], uv[1], 1);
+      const Real3 across = Cross(on.Du, on.Dv);
+      const double length = Length(across);
+      const Real3 front = this->FrontOf(static_cast<std::int32_t>(t));
+      if (length > 0.0)
+      {
+        const Real3 normal = Scaled(across, (Dot(across, front) < 0.0 ? -1.0 : 1.0) / length);
+        std::copy_n(
+          normal.begin(), 3, this->Result.Normals.begin() + 3 * static_cast<std::ptrdiff_t>(i));
+      }
+    });
+  }
+
+  /** The direction that a triangle of the result has to face. */
+  Real3 FrontOf(std::int32_t triangle) const
+  {
+    return FrontOfTriangle(this->Result.Mesh, triangle, this->Snapping);
+  }
+
+  void CountFlipped()
+  {
+    const CombinedMesh& mesh = this->Result.Mesh;
+    for (std::int32_t t = 0; t < mesh.NumberOfTriangles(); ++t)
+    {
+      const std::int32_t* const ids = mesh.Corners(t);
+      const Real3 a = mesh.Point(ids[0]);
+      const Real3 turn =
+        Cross(Difference(mesh.Point(ids[1]), a), Difference(mesh.Point(ids[2]), a));
+      this->Result.NumberOfFlipped += Dot(turn, this->FrontOf(t)) < 0.0 ? 1 : 0;
+    }
+  }
+
+  std::int32_t SampleNearestTo(const Real3& place) const
+  {
+    const PointTree& samples = this->Surface.Samples();
+    PointTree::Neighbour nearest;
+    return samples.Nearest(place, 1, &nearest) == 1 ? samples.Id(nearest.Index) : -1;
+  }
+
+  void FindNearestSamples()
+  {
+    const CombinedMesh& mesh = this->Result.Mesh;
+    this->Result.NearestSample.assign(mesh.OriginalPoint.size(), -1);
+    this->ForPoints([&](std::size_t i, auto&) {
+      if (this->Result.Sides[i] & 1)
+      {
+        this->Result.NearestSample[i] =
+          this->SampleNearestTo(mesh.Point(static_cast<std::int32_t>(i)));
+      }
+    });
+    for (const Real3& place : this->Result.Seam.Points)
+    {
+      this->Result.SeamSample.push_back(this->SampleNearestTo(place));
     }
   }
 

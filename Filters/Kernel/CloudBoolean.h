@@ -18,6 +18,7 @@
 #include "DesignedSurface.h"
 #include "SeamCurves.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -38,6 +39,7 @@ struct CloudBooleanRequest
   const DesignedSurface* Tool = nullptr; ///< its ids and coordinates have to be valid
   CloudOperation Op = CloudOperation::Union;
   double Cell = 0.0; ///< edge of the cloud's mesh; 0: two spacings
+  bool WithNearestSamples = false; ///< fill in NearestSample
 };
 
 enum class CloudBooleanStatus : std::uint8_t
@@ -68,18 +70,22 @@ struct CloudBooleanResult
 {
   CloudBooleanStatus Status = CloudBooleanStatus::Ok;
   std::vector<Remark> ToolRemarks; ///< the kernel's, on the tool
-  bool ToolWasInsideOut = false;
 
-  CombinedMesh Mesh; ///< operand 0 is the cloud, 1 the tool
+  /** Operand 0 is the cloud, 1 the tool. Closed by point ids; but where the tool has patches each
+   * of its faces, and the cloud, have points of their own, as each has its own u and v. */
+  CombinedMesh Mesh;
   std::vector<std::uint8_t> Sides; ///< of each point: 1 of the cloud, 2 of the tool, 3 on the seam
   std::vector<double> Normals; ///< of each point, as the result shows them
   std::vector<double>
     Residuals; ///< of each point: distance from the cloud's surface; NaN on the tool
-  std::vector<double> UV; ///< of each point, two; NaN where unknown. Empty without patches
+  std::vector<double> UV; ///< of each point, two; NaN on the cloud. Empty without patches
+  /** Of each point that the cloud has, the nearest sample's number in the input; else -1. */
+  std::vector<std::int32_t> NearestSample;
   std::vector<std::int32_t> ToolTriangle; ///< of each triangle: the tool's as it was given, or -1
   std::vector<std::int32_t> FaceId; ///< of each triangle, or -1. Empty without patches
   SeamCurves Seam;
   std::vector<std::array<double, 2>> SeamUV; ///< of its points; empty without patches
+  std::vector<std::int32_t> SeamSample; ///< of its points, the nearest sample; as NearestSample
   std::vector<std::uint8_t> KeptSamples; ///< of each sample, in the order of the cloud's tree
 
   bool ScanIsOpen = false;

@@ -11,14 +11,21 @@ namespace sb
 namespace
 {
 
-constexpr double LeastFacing = 0.1; ///< cosine between a triangle and the surface it stands for
 constexpr std::int32_t Dropped = -1;
+
+/** The cosine between a triangle and a direction; -1 for one without area. */
+double Facing(const std::array<Real3, 3>& corners, const Real3& direction)
+{
+  const Real3 turn = Cross(Difference(corners[1], corners[0]), Difference(corners[2], corners[0]));
+  const double length = Length(turn);
+  return length > 0.0 ? Dot(turn, direction) / length : -1.0;
+}
 
 } // namespace
 
 MeshEdit::MeshEdit(CombinedMesh& mesh, const std::vector<std::uint8_t>& zone, FrontOf front)
   : Mesh(mesh)
-  , Front(std::move(front))
+  , FrontOfTriangle(std::move(front))
   , Zone(zone.size(), -1)
   , Into(zone.size())
 {
@@ -60,14 +67,6 @@ std::array<Real3, 3> MeshEdit::CornersOf(std::int32_t triangle) const
   return { this->Mesh.Point(ids[0]), this->Mesh.Point(ids[1]), this->Mesh.Point(ids[2]) };
 }
 
-/** The cosine between a triangle and the front it has to show; -1 for one without area. */
-double MeshEdit::Facing(std::int32_t triangle, const std::array<Real3, 3>& corners) const
-{
-  const Real3 turn = Cross(Difference(corners[1], corners[0]), Difference(corners[2], corners[0]));
-  const double length = Length(turn);
-  return length > 0.0 ? Dot(turn, this->Front(triangle)) / length : -1.0;
-}
-
 /** Whether no triangle of the point gets worse than it may be. @param exceptWith those with this
  * corner vanish, and do not count */
 bool MeshEdit::MayMove(std::int32_t point, const Real3& place, std::int32_t exceptWith) const
@@ -82,8 +81,9 @@ bool MeshEdit::MayMove(std::int32_t point, const Real3& place, std::int32_t exce
     const std::array<Real3, 3> before = this->CornersOf(triangle);
     std::array<Real3, 3> after = before;
     after[static_cast<std::size_t>(std::find(ids, ids + 3, point) - ids)] = place;
-    const double facing = this->Facing(triangle, after);
-    if (facing < LeastFacing && facing <= this->Facing(triangle, before))
+    const Front front = this->FrontOfTriangle(triangle);
+    const double facing = Facing(after, front.Direction);
+    if (facing < front.LeastCosine && facing <= Facing(before, front.Direction))
     {
       return false;
     }

@@ -21,8 +21,13 @@ namespace sb
 class MeshEdit
 {
 public:
-  /** The direction that the front of a triangle has to face, of length one or zero. */
-  using FrontOf = std::function<Real3(std::int32_t triangle)>;
+  /** How a triangle has to face. */
+  struct Front
+  {
+    Real3 Direction{}; ///< of length one or zero
+    double LeastCosine = 0.0; ///< between it and the triangle's normal
+  };
+  using FrontOf = std::function<Front(std::int32_t triangle)>;
 
   /** @param zone 1 for the points that can be moved or collapsed; only there edits are possible */
   MeshEdit(CombinedMesh& mesh, const std::vector<std::uint8_t>& zone, FrontOf front);
@@ -57,11 +62,10 @@ public:
 
 private:
   bool MayMove(std::int32_t point, const Real3& place, std::int32_t exceptWith) const;
-  double Facing(std::int32_t triangle, const std::array<Real3, 3>& corners) const;
   std::array<Real3, 3> CornersOf(std::int32_t triangle) const;
 
   CombinedMesh& Mesh;
-  FrontOf Front;
+  FrontOf FrontOfTriangle;
   std::vector<std::int32_t> Zone; ///< [point] its place in Incident, or -1
   std::vector<std::vector<std::int32_t>> Incident;
   std::vector<std::int32_t> Into; ///< [point] itself, or what it was collapsed into

@@ -18,7 +18,13 @@ namespace
 
 constexpr std::int64_t Grain = 64;
 constexpr double ShortEdge = 0.2; ///< in spacings; moves are about a tenth as long
+constexpr double FlatEnough = 0.02; ///< in spacings: how far a collapse may bend the tool
 constexpr double LongestMove = 1.0; ///< in spacings
+constexpr double ClearedWay = 3.0; ///< in ways of a vertex that is stuck
+/** Cosines between a triangle and its surface. */
+constexpr double LeastFacingOfCloud = 0.1;
+constexpr double LeastFacingOfTool = 0.9;
+constexpr double LeastFacingAtLast = 0.3; ///< of the tool, for what is stuck else
 constexpr int MovingPasses = 4;
 constexpr int MostRounds = 4; ///< of the whole, each without what crossed in the one before
 
@@ -62,11 +68,11 @@ class SnapRound
 public:
   SnapRound(const SeamSnapRequest& request, CombinedMesh& mesh,
     const std::vector<std::uint8_t>& sides, const std::vector<std::uint8_t>& zone,
-    const std::vector<std::uint8_t>& frozen, Executor& executor, Monitor& monitor)
+    const std::vector<std::uint8_t>& caution, Executor& executor, Monitor& monitor)
     : Request(request)
     , Mesh(mesh)
     , Sides(sides)
-    , Frozen(frozen)
+    , Caution(caution)
     , Threads(executor)
     , Watch(monitor)
     , Edit(mesh, zone, [this](std::int32_t triangle) { return this->FrontOf(triangle); })
@@ -87,8 +93,12 @@ public:
     this->CollapseShortEdges();
     this->FindTargets();
     this->MoveAll();
-    this->CollapseStuck();
+    this->FindTargetsAcross();
     this->MoveAll();
+    this->HelpStuck();
+    this->AtLast = true;
+    this->MoveAll();
+    this->HelpStuck();
   }
 
   /** Points that were moved or took up others. */
@@ -124,26 +134,11 @@ public:
   std::vector<std::int32_t> Finish() { return this->Edit.Finish(); }
 
 private:
-  Real3 FrontOf(std::int32_t triangle) const
+  MeshEdit::Front FrontOf(std::int32_t triangle) const
   {
-    const std::size_t t = static_cast<std::size_t>(triangle);
-    const double sign = this->Mesh.Reversed[t] ? -1.0 : 1.0;
-    const std::int32_t parent = this->Mesh.Parent[t];
-    if (this->Mesh.Source[t] != 0)
-    {
-      return Scaled(this->Request.Tool->Normal(parent), sign);
-    }
-    const std::int32_t* const ids =
-      this->Request.CloudMesh.Triangles + 3 * static_cast<std::size_t>(parent);
-    Real3 sum{};
-    for (int k = 0; k < 3; ++k)
-    {
-      const double* const n =
-        this->Request.CloudNormals->data() + 3 * static_cast<std::size_t>(ids[k]);
-      sum = PlusScaled(sum, 1.0, { n[0], n[1], n[2] });
-    }
-    const double length = Length(sum);
-    return length > 0.0 ? Scaled(sum, sign / length) : Real3{};
+    const double ofTool = this->AtLast ? LeastFacingAtLast : LeastFacingOfTool;
+    return { FrontOfTriangle(this->Mesh, triangle, this->Request),
+      this->Mesh.Source[static_cast<std::size_t>(triangle)] == 0 ? LeastFacingOfCloud : ofTool };
   }
 
   /** The tool's triangles that the pieces around a point are parts of. */
@@ -174,36 +169,15 @@ private:
     this->Done.assign(this->Seam.size(), 0);
   }
 
+  /** Whether a point must not be touched: it was once, and triangles crossed. */
+  bool IsFrozen(std::int32_t point) const
+  {
+    return this->Caution[static_cast<std::size_t>(point)] > (this->AtLast ? 0 : 1);
+  }
+
   bool IsOnSeam(std::int32_t point) const
   {
     return this->Sides[static_cast<std::size_t>(point)] == OnSeam;
-  }
-
-  /** How bound a point is: a less bound one may be moved into one that is more. */
-  int Bonds(std::int32_t point) const
-  {
-    const std::size_t p = static_cast<std::size_t>(point);
-    if (this->IsOnSeam(point))
-    {
-      switch (this->Freedoms[static_cast<std::size_t>(this->PlaceInSeam[p])].What)
-      {
-        case SeamFreedom::Kind::Plane:
-        case SeamFreedom::Kind::Patch:
-          return 1;
-        case SeamFreedom::Kind::Line:
-          return 2;
-        default:
-          return 3;
-      }
-    }
-    if (this->Sides[p] == OfCloud)
-    {
-      return 0;
-    }
-    // A point of the tool shapes it, unless it lies inside of a plane or of a patch.
-    const SeamFreedom::Kind kind =
-      FreedomOn(*this->Request.Tool, this->ToolTrianglesAt(point)).What;
-    return kind == SeamFreedom::Kind::Plane || kind == SeamFreedom::Kind::Patch ? 0 : 3;
   }
 
   /** Whether the edge is part of the seam: one triangle of each operand has it. */
@@ -222,12 +196,13 @@ private:
     return ofCloud == 1 && ofTool == 1;
   }
 
+  /** Points of the tool may vanish where they do not shape it, those of the seam into others of the
+   * seam only. */
   bool TryCollapse(std::int32_t gone, std::int32_t kept)
   {
-    const int bonds = this->Bonds(gone);
-    const bool allowed =
-      bonds == 0 || (bonds == 1 && this->IsOnSeam(kept) && this->IsSeamEdge(gone, kept));
-    if (!allowed || this->Frozen[static_cast<std::size_t>(gone)] ||
+    if (this->IsFrozen(gone) ||
+      (this->IsOnSeam(gone) && !(this->IsOnSeam(kept) && this->IsSeamEdge(gone, kept))) ||
+      !this->IsFlatTowards(gone, kept) || this->MakesEar(gone, kept) ||
       !this->Edit.Collapse(gone, kept))
     {
       return false;
@@ -237,57 +212,112 @@ private:
     return true;
   }
 
-  /** Collapse what is short at the seam, the less bound end into the other. */
+  /** Whether a triangle of the cloud would get all its corners on the seam: it would lie in the
+   * tool, on the triangles there. */
+  bool MakesEar(std::int32_t gone, std::int32_t kept) const
+  {
+    const std::vector<std::int32_t>& triangles = this->Edit.TrianglesAt(gone);
+    return this->IsOnSeam(kept) &&
+      std::any_of(triangles.begin(), triangles.end(), [&](std::int32_t t) {
+        const std::int32_t* const ids = this->Mesh.Corners(t);
+        return this->Mesh.Source[static_cast<std::size_t>(t)] == 0 &&
+          std::find(ids, ids + 3, kept) == ids + 3 &&
+          std::all_of(
+            ids, ids + 3, [&](std::int32_t id) { return id == gone || this->IsOnSeam(id); });
+      });
+  }
+
+  bool IsFlatTowards(std::int32_t gone, std::int32_t kept) const
+  {
+    return IsNearPlanes(*this->Request.Tool, this->ToolTrianglesAt(gone), this->Mesh.Point(kept),
+      FlatEnough * this->Request.Spacing);
+  }
+
+  /** Collapse what is short at the seam. */
   void CollapseShortEdges()
   {
-    const double limit = ShortEdge * this->Request.Spacing;
     for (const std::int32_t point : this->Seam)
     {
-      bool again = !this->Edit.IsGone(point) && !this->Frozen[static_cast<std::size_t>(point)];
-      while (again)
-      {
-        again = false;
-        for (const std::int32_t other : this->Edit.Neighbours(point))
-        {
-          const bool isShort =
-            Length(Difference(this->Mesh.Point(other), this->Mesh.Point(point))) < limit;
-          if (!isShort || !this->Edit.IsInZone(other) ||
-            this->Frozen[static_cast<std::size_t>(other)])
-          {
-            continue;
-          }
-          again = this->TryCollapse(other, point);
-          if (again || (this->IsOnSeam(other) && this->TryCollapse(point, other)))
-          {
-            break;
-          }
-        }
-        again = again && !this->Edit.IsGone(point);
-      }
+      this->CollapseAround(point, ShortEdge * this->Request.Spacing);
     }
   }
 
-  void FindTargets()
+  /** Collapse the edges of a point that are shorter than the limit, others into the point or the
+   * point into another one. */
+  void CollapseAround(std::int32_t point, double limit)
   {
-    this->Targets.resize(this->Seam.size());
+    bool again = !this->Edit.IsGone(point) && !this->IsFrozen(point);
+    while (again)
+    {
+      again = false;
+      for (const std::int32_t other : this->Edit.Neighbours(point))
+      {
+        const bool isShort =
+          Length(Difference(this->Mesh.Point(other), this->Mesh.Point(point))) < limit;
+        if (!isShort || !this->Edit.IsInZone(other) || this->IsFrozen(other))
+        {
+          continue;
+        }
+        again = this->TryCollapse(other, point);
+        if (again || (this->IsOnSeam(other) && this->TryCollapse(point, other)))
+        {
+          break;
+        }
+      }
+      again = again && !this->Edit.IsGone(point);
+    }
+  }
+
+  template <class Find>
+  void ForSeam(const Find& find)
+  {
     this->Threads.For(static_cast<std::int64_t>(this->Seam.size()), Grain,
       [&](std::int64_t begin, std::int64_t end) {
         MovingLeastSquares::Neighbourhood near;
         for (std::size_t i = static_cast<std::size_t>(begin);
              i < static_cast<std::size_t>(end) && !this->Watch.Aborted(); ++i)
         {
-          this->Targets[i] =
-            FindSeamTarget(*this->Request.Cloud, *this->Request.Tool, this->Freedoms[i],
-              this->Mesh.Point(this->Seam[i]), LongestMove * this->Request.Spacing, near);
+          find(i, near);
         }
       });
+  }
+
+  void FindTargets()
+  {
+    this->Targets.resize(this->Seam.size());
+    this->ForSeam([this](std::size_t i, auto& near) {
+      this->Targets[i] =
+        FindSeamTarget(*this->Request.Cloud, *this->Request.Tool, this->Freedoms[i],
+          this->Mesh.Point(this->Seam[i]), LongestMove * this->Request.Spacing, near);
+    });
+  }
+
+  /** For what could not be moved: places on other triangles of the tool, if it is flat that far. */
+  void FindTargetsAcross()
+  {
+    this->ForSeam([this](std::size_t i, auto& near) {
+      const std::int32_t point = this->Seam[i];
+      if (this->Done[i] || this->Edit.IsGone(point) ||
+        this->Freedoms[i].What == SeamFreedom::Kind::Patch)
+      {
+        return;
+      }
+      const SeamTarget target = FindSeamTargetAcross(*this->Request.Cloud, *this->Request.Tool,
+        this->Mesh.Point(point), LongestMove * this->Request.Spacing, near);
+      if (target.Reached &&
+        IsNearPlanes(*this->Request.Tool, this->ToolTrianglesAt(point), target.Place,
+          FlatEnough * this->Request.Spacing))
+      {
+        this->Targets[i] = target;
+      }
+    });
   }
 
   /** Whether a vertex of the seam has still to be moved, and where to is known. */
   bool IsToMove(std::size_t i) const
   {
     return !this->Done[i] && this->Targets[i].Reached && !this->Edit.IsGone(this->Seam[i]) &&
-      !this->Frozen[static_cast<std::size_t>(this->Seam[i])];
+      !this->IsFrozen(this->Seam[i]);
   }
 
   /** Over and over, as a vertex may get its way when its neighbours have moved. */
@@ -341,22 +371,47 @@ private:
     return this->Request.Tool->Distance(this->Targets[i].Place, limit) < limit;
   }
 
-  /** What could not be moved goes into a neighbour that could. */
+  bool IsStuck(std::size_t i) const
+  {
+    return !this->Done[i] && !this->Edit.IsGone(this->Seam[i]) && !this->IsFrozen(this->Seam[i]);
+  }
+
+  void HelpStuck()
+  {
+    this->ClearStuck();
+    this->MoveAll();
+    this->CollapseStuck();
+    this->MoveAll();
+  }
+
+  /** What could not be moved takes up what is in its way. */
+  void ClearStuck()
+  {
+    for (std::size_t i = 0; i < this->Seam.size(); ++i)
+    {
+      if (this->IsStuck(i) && this->Targets[i].Reached)
+      {
+        const Real3 from = this->Mesh.Point(this->Seam[i]);
+        this->CollapseAround(
+          this->Seam[i], ClearedWay * Length(Difference(this->Targets[i].Place, from)));
+      }
+    }
+  }
+
+  /** What still could not be moved goes into a neighbour that could. */
   void CollapseStuck()
   {
     for (std::size_t i = 0; i < this->Seam.size(); ++i)
     {
-      const std::int32_t point = this->Seam[i];
-      if (this->Done[i] || this->Edit.IsGone(point) ||
-        this->Frozen[static_cast<std::size_t>(point)])
+      if (!this->IsStuck(i))
       {
         continue;
       }
-      for (const std::int32_t other : this->Edit.Neighbours(point))
+      for (const std::int32_t other : this->Edit.Neighbours(this->Seam[i]))
       {
         const std::int32_t place = this->PlaceInSeam[static_cast<std::size_t>(other)];
         if (place >= 0 && this->Done[static_cast<std::size_t>(place)] &&
-          this->TryCollapse(point, other))
+          this->TryCollapse(this->Seam[i], other))
         {
           break;
         }
@@ -367,10 +422,11 @@ private:
   const SeamSnapRequest& Request;
   CombinedMesh& Mesh;
   const std::vector<std::uint8_t>& Sides;
-  const std::vector<std::uint8_t>& Frozen;
+  const std::vector<std::uint8_t>& Caution;
   Executor& Threads;
   Monitor& Watch;
   MeshEdit Edit;
+  bool AtLast = false; ///< all that may be done without risk is done
   std::vector<std::uint8_t> Touched;
   std::vector<std::int32_t> Seam;
   std::vector<std::int32_t> PlaceInSeam; ///< [point], or -1
@@ -428,6 +484,28 @@ void Summarise(SeamSnap& snap)
 
 } // namespace
 
+Real3 FrontOfTriangle(
+  const CombinedMesh& mesh, std::int32_t triangle, const SeamSnapRequest& request)
+{
+  const std::size_t t = static_cast<std::size_t>(triangle);
+  const double sign = mesh.Reversed[t] ? -1.0 : 1.0;
+  const std::int32_t parent = mesh.Parent[t];
+  if (mesh.Source[t] != 0)
+  {
+    return Scaled(request.Tool->Normal(parent), sign);
+  }
+  const std::int32_t* const ids =
+    request.CloudMesh.Triangles + 3 * static_cast<std::size_t>(parent);
+  Real3 sum{};
+  for (int k = 0; k < 3; ++k)
+  {
+    const double* const n = request.CloudNormals->data() + 3 * static_cast<std::size_t>(ids[k]);
+    sum = PlusScaled(sum, 1.0, { n[0], n[1], n[2] });
+  }
+  const double length = Length(sum);
+  return length > 0.0 ? Scaled(sum, sign / length) : Real3{};
+}
+
 SeamSnap SnapSeam(
   const CombinedMesh& mesh, const SeamSnapRequest& request, Executor& executor, Monitor& monitor)
 {
@@ -436,13 +514,13 @@ SeamSnap SnapSeam(
   std::transform(sides.begin(), sides.end(), zone.begin(),
     [](std::uint8_t side) { return static_cast<std::uint8_t>(side == OnSeam ? 1 : 0); });
   Grow(mesh, zone);
-  std::vector<std::uint8_t> frozen(sides.size(), 0);
+  std::vector<std::uint8_t> caution(sides.size(), 0);
   SeamSnap snap;
   for (int round = 0; round < MostRounds; ++round)
   {
     snap = SeamSnap();
     snap.Mesh = mesh;
-    SnapRound one(request, snap.Mesh, sides, zone, frozen, executor, monitor);
+    SnapRound one(request, snap.Mesh, sides, zone, caution, executor, monitor);
     one.Run();
     snap.Vertices = one.Vertices();
     snap.NumberOfCollapses = one.NumberOfCollapses();
@@ -473,7 +551,8 @@ SeamSnap SnapSeam(
     }
     for (std::size_t i = 0; i < sides.size(); ++i)
     {
-      frozen[i] |= crosses[static_cast<std::size_t>(snap.PointMap[i])];
+      caution[i] =
+        static_cast<std::uint8_t>(caution[i] + crosses[static_cast<std::size_t>(snap.PointMap[i])]);
     }
   }
   Summarise(snap);

@@ -60,6 +60,11 @@ struct SeamSnap
   bool Aborted = false;
 };
 
+/** The direction that the front of a triangle of the mesh has to face, of length one or zero: that
+ * of the cloud's normals, or of the tool's triangle. */
+Real3 FrontOfTriangle(
+  const CombinedMesh& mesh, std::int32_t triangle, const SeamSnapRequest& request);
+
 SeamSnap SnapSeam(
   const CombinedMesh& mesh, const SeamSnapRequest& request, Executor& executor, Monitor& monitor);
 

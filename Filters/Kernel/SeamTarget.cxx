@@ -17,6 +17,7 @@ namespace
 constexpr double SamePlane = 1e-9; ///< one minus the cosine between two triangles' normals
 constexpr double LeastCrossing = 0.05; ///< sine between a line and the surface; below it they touch
 constexpr int MostSteps = 12;
+constexpr int MostTriangles = 8; ///< that a vertex may go over
 constexpr double NearlyThere = 1e-9; ///< of the limit of a move
 
 /** The direction of the edge that two triangles share; zero if they share none. */
@@ -78,6 +79,21 @@ CommonPoint OntoCloudAndLine(const MovingLeastSquares& cloud, const Real3& start
   return reached.Found ? reached : now;
 }
 
+SeamTarget TargetOf(
+  const CommonPoint& found, const Real3& normalOfTool, const Real3& start, double limit)
+{
+  SeamTarget target;
+  target.Reached = found.Found && Length(Difference(found.Point, start)) <= limit;
+  target.Place = target.Reached ? found.Point : start;
+  const double steepness = Length(found.Surface.Gradient);
+  if (steepness > 0.0)
+  {
+    target.Residual = std::abs(found.Surface.Value) / steepness;
+    target.Tangency = std::abs(Dot(found.Surface.Gradient, normalOfTool)) / steepness;
+  }
+  return target;
+}
+
 } // namespace
 
 SeamFreedom FreedomOn(const ToolSurface& tool, const std::vector<std::int32_t>& triangles)
@@ -131,8 +147,7 @@ SeamTarget FindSeamTarget(const MovingLeastSquares& cloud, const ToolSurface& to
     case SeamFreedom::Kind::Plane:
       found = OntoCloudAndPlane(cloud, start, freedom.Direction, start, near);
       break;
-    case SeamFreedom::Kind::Patch:
-    {
+    case SeamFreedom::Kind::Patch: {
       const std::array<double, 2> uv = tool.ParametersOf(freedom.Triangle, start);
       found = OntoCloudAndPatch(cloud, tool.PatchOf(freedom.Triangle), uv[0], uv[1], near);
       break;
@@ -143,17 +158,41 @@ SeamTarget FindSeamTarget(const MovingLeastSquares& cloud, const ToolSurface& to
     case SeamFreedom::Kind::Fixed:
       found.Surface = cloud.EvaluateAt(start, 1, near);
   }
-  SeamTarget target;
-  target.Reached = found.Found && Length(Difference(found.Point, start)) <= limit;
-  target.Place = target.Reached ? found.Point : start;
-  const double steepness = Length(found.Surface.Gradient);
-  if (steepness > 0.0)
+  return TargetOf(found, tool.Normal(freedom.Triangle), start, limit);
+}
+
+SeamTarget FindSeamTargetAcross(const MovingLeastSquares& cloud, const ToolSurface& tool,
+  const Real3& start, double limit, MovingLeastSquares::Neighbourhood& near)
+{
+  // In the plane of the nearest triangle; then, if that leads beyond it, back onto the tool.
+  Real3 place = start;
+  for (int step = 0; step < MostTriangles; ++step)
   {
-    target.Residual = std::abs(found.Surface.Value) / steepness;
-    target.Tangency =
-      std::abs(Dot(found.Surface.Gradient, tool.Normal(freedom.Triangle))) / steepness;
+    const ToolSurface::Nearest on = tool.NearestTo(place, limit);
+    if (on.Triangle < 0)
+    {
+      break;
+    }
+    const Real3 normal = tool.Normal(on.Triangle);
+    const CommonPoint found = OntoCloudAndPlane(cloud, on.Place, normal, on.Place, near);
+    if (!found.Found || tool.Distance(found.Point, limit) < NearlyThere * limit)
+    {
+      return TargetOf(found, normal, start, limit);
+    }
+    place = found.Point;
   }
-  return target;
+  SeamTarget none;
+  none.Place = start;
+  return none;
+}
+
+bool IsNearPlanes(const ToolSurface& tool, const std::vector<std::int32_t>& triangles,
+  const Real3& place, double limit)
+{
+  return std::all_of(triangles.begin(), triangles.end(), [&](std::int32_t t) {
+    const Real3 corner = tool.Point(tool.Corners(t)[0]);
+    return std::abs(Dot(Difference(place, corner), tool.Normal(t))) <= limit;
+  });
 }
 
 } // namespace sb

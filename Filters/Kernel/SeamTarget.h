@@ -47,6 +47,17 @@ SeamTarget FindSeamTarget(const MovingLeastSquares& cloud, const ToolSurface& to
   const SeamFreedom& freedom, const Real3& start, double limit,
   MovingLeastSquares::Neighbourhood& near);
 
+/**
+ * The same for a vertex that may go over to other triangles of the tool, as where these are smaller
+ * than the way.
+ */
+SeamTarget FindSeamTargetAcross(const MovingLeastSquares& cloud, const ToolSurface& tool,
+  const Real3& start, double limit, MovingLeastSquares::Neighbourhood& near);
+
+/** Whether a place is nearer than `limit` to the planes of all these triangles of the tool. */
+bool IsNearPlanes(const ToolSurface& tool, const std::vector<std::int32_t>& triangles,
+  const Real3& place, double limit);
+
 } // namespace sb
 
 #endif

@@ -58,11 +58,18 @@ double ToolSurface::WindingNumber(const Real3& place) const
   return this->Tree.IsOutsideBounds(query) ? 0.0 : this->Winding.At(query);
 }
 
-double ToolSurface::Distance(const Real3& place, double limit) const
+ToolSurface::Nearest ToolSurface::NearestTo(const Real3& place, double limit) const
 {
   const NearestTriangle::Answer answer =
     this->Tree.Find({ place[0], place[1], place[2] }, limit, -1);
-  return answer.Triangle < 0 ? limit : std::sqrt(answer.SquaredDistance) / this->Tree.Scale();
+  if (answer.Triangle < 0)
+  {
+    return { -1, place, limit };
+  }
+  const double unit = 1.0 / this->Tree.Scale();
+  return { answer.Triangle,
+    PlusScaled(place, unit, { answer.Place.X, answer.Place.Y, answer.Place.Z }),
+    unit * std::sqrt(answer.SquaredDistance) };
 }
 
 std::array<double, 2> ToolSurface::ParametersOf(std::int32_t triangle, const Real3& place) const

@@ -45,8 +45,19 @@ public:
   bool IsInside(const Real3& place) const { return this->WindingNumber(place) > 0.5; }
   double WindingNumber(const Real3& place) const;
 
+  struct Nearest
+  {
+    std::int32_t Triangle = -1; ///< -1 if none is nearer than the limit
+    Real3 Place{};
+    double Distance = 0.0; ///< the limit if none is nearer
+  };
+  Nearest NearestTo(const Real3& place, double limit) const;
+
   /** From a place to the surface, or `limit` if it is not nearer. */
-  double Distance(const Real3& place, double limit) const;
+  double Distance(const Real3& place, double limit) const
+  {
+    return this->NearestTo(place, limit).Distance;
+  }
 
   /** The patch of a triangle, which has to have one. */
   const NURBSSurface& PatchOf(std::int32_t triangle) const
