@@ -217,7 +217,7 @@ private:
   bool MakesEar(std::int32_t gone, std::int32_t kept) const
   {
     const std::vector<std::int32_t>& triangles = this->Edit.TrianglesAt(gone);
-    return this->IsOnSeam(kept) &&
+    return this->IsOnSeam(kept) && !this->IsOnSeam(gone) &&
       std::any_of(triangles.begin(), triangles.end(), [&](std::int32_t t) {
         const std::int32_t* const ids = this->Mesh.Corners(t);
         return this->Mesh.Source[static_cast<std::size_t>(t)] == 0 &&
