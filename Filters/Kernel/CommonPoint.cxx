@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sb
 {
@@ -15,10 +16,16 @@ constexpr double Margin = 0.35; ///< of the samples gathered, in widths: most se
 constexpr double LongestStep = 0.4; ///< in widths
 constexpr double FarthestFromStart = 2.0; ///< in widths
 constexpr double ShortestStep = 1e-14; ///< in widths
-constexpr double NearlyThere = 1e-9; ///< in widths: from there on the residual has to fall
+constexpr double NearlyThere = 1e-12; ///< in widths: from there on the residual has to fall
 constexpr double LeastSlope = 1e-7; ///< along the patch, against the gradient
 constexpr double Degenerate = 1e-7; ///< ratio of lengths of S_u and S_v
 constexpr int Turns = 32;
+
+/** The largest residual that counts as none, which coordinates far from the origin raise. */
+double Negligible(const Real3& x, double width)
+{
+  return NearlyThere * width + 8.0 * std::numeric_limits<double>::epsilon() * Length(x);
+}
 
 /** A step in the parameters, or what one is worth. */
 struct Step
@@ -122,7 +129,7 @@ private:
       {
         return best; // rounding is all that is left
       }
-      if (residual <= NearlyThere * width)
+      if (residual <= Negligible(now.Point, width))
       {
         best = now;
         best.Found = true;
@@ -281,7 +288,7 @@ CommonPoint OntoCloudAndPlane(const MovingLeastSquares& surface, const Real3& or
     {
       return best;
     }
-    if (residual <= NearlyThere * width)
+    if (residual <= Negligible(now.Point, width))
     {
       best = now;
       best.Found = true;

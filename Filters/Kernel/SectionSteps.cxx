@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SectionSteps.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace sb
@@ -10,97 +9,42 @@ namespace sb
 namespace
 {
 
-double DistanceToSegment(const Real3& x, const Real3& a, const Real3& b)
-{
-  const Real3 along = Difference(b, a);
-  const double t = std::clamp(Dot(Difference(x, a), along) / Dot(along, along), 0.0, 1.0);
-  return Length(Difference(x, PlusScaled(a, t, along)));
-}
+constexpr double LongestStep = 2.0; ///< in widths
+constexpr double ShortestStep = 1e-4; ///< in spacings
 
 } // namespace
 
 double SectionSteps::Walk(const std::vector<Real3>& points, std::vector<Real3>& curve)
 {
-  this->LargestError = 0.0;
-  for (std::size_t at = 0; at + 1 < points.size();)
+  std::vector<CurveNode> nodes;
+  for (const Real3& point : points)
   {
-    at = this->Step(points, at, curve);
+    nodes.push_back({ point, 0.0, 0.0 });
   }
-  return this->LargestError;
-}
-
-/** One step from points[at] as far as the bound allows; returns where it ends. */
-std::size_t SectionSteps::Step(
-  const std::vector<Real3>& points, std::size_t at, std::vector<Real3>& curve)
-{
-  const SurfaceValue f = this->Surface.EvaluateAt(points[at], 2, this->Near);
-  const double curvature = std::abs(SectionCurvature(f, this->Normal));
-  // The chord of a circle with that sagitta, but never more than two widths.
-  const double most = 2.0 * this->Surface.Width();
-  const double squared = 4.0 * (2.0 * this->Bound / curvature - this->Bound * this->Bound);
-  const double length = squared < most * most ? std::sqrt(std::max(0.0, squared)) : most;
-  std::size_t last = at + 1;
-  double arc = Length(Difference(points[last], points[at]));
   // A loop takes three steps at least.
-  const std::size_t steps = points.front() == points.back() ? 3 : 1;
-  const std::size_t farthest =
-    std::min(points.size() - 1, at + std::max<std::size_t>(1, (points.size() - 1) / steps));
-  while (last < farthest && arc + Length(Difference(points[last + 1], points[last])) <= length)
+  const std::size_t fewest = points.front() == points.back() ? 3 : 1;
+  std::vector<CurveNode> chosen;
+  const double error = StepAlong(nodes,
+    { this->ChordError, LongestStep * this->Surface.Width(), ShortestStep * this->Spacing }, fewest,
+    *this, chosen);
+  for (const CurveNode& node : chosen)
   {
-    arc += Length(Difference(points[last + 1], points[last]));
-    ++last;
-  }
-  for (; last > at + 1; last = at + (last - at + 1) / 2)
-  {
-    const double error = this->ErrorOf(points, at, last);
-    if (error <= this->Bound)
-    {
-      this->LargestError = std::max(this->LargestError, error);
-      curve.push_back(points[last]);
-      return last;
-    }
-  }
-  this->Subdivide(points[at], points[at + 1], 0, curve);
-  return at + 1;
-}
-
-/** The measured chord error of the step between two of the points. */
-double SectionSteps::ErrorOf(const std::vector<Real3>& points, std::size_t first, std::size_t last)
-{
-  double error = 0.0;
-  for (std::size_t k = first; k < last; ++k)
-  {
-    const Real3 middle = PlusScaled(points[k], 0.5, Difference(points[k + 1], points[k]));
-    Real3 onCurve = middle;
-    this->OntoCurve(onCurve);
-    for (const Real3& x : { points[k], onCurve })
-    {
-      error = std::max(error, DistanceToSegment(x, points[first], points[last]));
-    }
+    curve.push_back(node.Point);
   }
   return error;
 }
 
-/** Halve a step between neighbours on the grid until its chord error is kept. */
-void SectionSteps::Subdivide(const Real3& a, const Real3& b, int depth, std::vector<Real3>& curve)
+double SectionSteps::CurvatureAt(const CurveNode& node)
 {
-  constexpr int deepest = 16;
-  double error = 0.0;
-  Real3 middle{};
-  for (const double t : { 0.25, 0.75, 0.5 })
-  {
-    middle = PlusScaled(a, t, Difference(b, a));
-    this->OntoCurve(middle);
-    error = std::max(error, DistanceToSegment(middle, a, b));
-  }
-  if (error > this->Bound && depth < deepest)
-  {
-    this->Subdivide(a, middle, depth + 1, curve);
-    this->Subdivide(middle, b, depth + 1, curve);
-    return;
-  }
-  this->LargestError = std::max(this->LargestError, error);
-  curve.push_back(b);
+  const SurfaceValue f = this->Surface.EvaluateAt(node.Point, 2, this->Near);
+  return std::abs(SectionCurvature(f, this->Normal));
+}
+
+CurveNode SectionSteps::Between(const CurveNode& a, const CurveNode& b, double t)
+{
+  Real3 x = PlusScaled(a.Point, t, Difference(b.Point, a.Point));
+  this->OntoCurve(x);
+  return { x, 0.0, 0.0 };
 }
 
 /** Newton's method in the plane; where it does not lead to the curve, x stays. */

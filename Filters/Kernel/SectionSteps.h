@@ -5,13 +5,13 @@
  * @brief From close points of a plane curve on a cloud's surface to a polyline with as few points
  * as a bound on the chord error allows (Yang and Qian 2009, section 4.2.2).
  *
- * Steps are as long as the curvature (Eq. 8) allows. The chord error is then measured, not only
- * predicted: a step that keeps it not is shortened, and where neighbours are too far apart points
- * are put between them, moved onto the curve by Newton's method in the plane.
+ * The curvature is that of Eq. 8, and points between others are moved onto the curve by Newton's
+ * method in the plane; the rest is the same for all curves (ChordSteps.h).
  */
 #ifndef sb_SectionSteps_h
 #define sb_SectionSteps_h
 
+#include "ChordSteps.h"
 #include "MovingLeastSquares.h"
 
 #include <vector>
@@ -19,7 +19,7 @@
 namespace sb
 {
 
-class SectionSteps
+class SectionSteps : private SteppedCurve
 {
 public:
   /**
@@ -32,7 +32,7 @@ public:
     const MovingLeastSquares& surface, const Real3& normal, double chordError, double spacing)
     : Surface(surface)
     , Normal(normal)
-    , Bound(Reserve * chordError)
+    , ChordError(chordError)
     , Spacing(spacing)
   {
   }
@@ -45,18 +45,14 @@ public:
   double Walk(const std::vector<Real3>& points, std::vector<Real3>& curve);
 
 private:
-  static constexpr double Reserve = 0.85; ///< of the bound, as errors are measured at some places
-
-  std::size_t Step(const std::vector<Real3>& points, std::size_t at, std::vector<Real3>& curve);
-  double ErrorOf(const std::vector<Real3>& points, std::size_t first, std::size_t last);
-  void Subdivide(const Real3& a, const Real3& b, int depth, std::vector<Real3>& curve);
+  double CurvatureAt(const CurveNode& node) override;
+  CurveNode Between(const CurveNode& a, const CurveNode& b, double t) override;
   void OntoCurve(Real3& x);
 
   const MovingLeastSquares& Surface;
   const Real3 Normal;
-  const double Bound;
+  const double ChordError;
   const double Spacing;
-  double LargestError = 0.0;
   MovingLeastSquares::Neighbourhood Near;
 };
 
