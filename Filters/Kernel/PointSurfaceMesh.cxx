@@ -6,7 +6,6 @@
 #include "ParallelSort.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace sb
 {
@@ -21,13 +20,29 @@ struct Cell
 {
   std::int32_t X, Y, Z;
 
+  /** Morton's order: that of the axis whose numbers differ in the highest bit. Cells that follow
+   * each other are near each other, and so are their samples. */
   bool operator<(const Cell& other) const
   {
-    return std::tie(this->Z, this->Y, this->X) < std::tie(other.Z, other.Y, other.X);
+    const std::uint32_t mine[3] = { Shifted(this->X), Shifted(this->Y), Shifted(this->Z) };
+    const std::uint32_t theirs[3] = { Shifted(other.X), Shifted(other.Y), Shifted(other.Z) };
+    std::size_t axis = 2;
+    for (std::size_t k = 2; k-- > 0;)
+    {
+      const std::uint32_t highest = mine[axis] ^ theirs[axis];
+      const std::uint32_t bits = mine[k] ^ theirs[k];
+      axis = highest < bits && highest < (highest ^ bits) ? k : axis;
+    }
+    return mine[axis] < theirs[axis];
   }
   bool operator==(const Cell& other) const
   {
     return this->X == other.X && this->Y == other.Y && this->Z == other.Z;
+  }
+  /** As if the smallest number were 0. */
+  static std::uint32_t Shifted(std::int32_t a)
+  {
+    return static_cast<std::uint32_t>(a) ^ 0x80000000u;
   }
   Cell Corner(int corner) const
   {
