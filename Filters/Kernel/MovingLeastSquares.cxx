@@ -277,7 +277,8 @@ Support Judge(double agreement, const Real3& mean, const Real3& n, double h)
 } // namespace
 
 MovingLeastSquares::MovingLeastSquares(std::shared_ptr<const PointTree> tree, const double* normals,
-  SurfaceDefinition definition, double width, const std::vector<double>& widths)
+  SurfaceDefinition definition, double width, const std::vector<double>& widths,
+  const std::vector<double>& areas)
   : Tree(std::move(tree))
   , Number(NextNumber())
   , Kind(definition)
@@ -294,27 +295,28 @@ MovingLeastSquares::MovingLeastSquares(std::shared_ptr<const PointTree> tree, co
       this->Normals[axis][i] = normals[3 * id + axis];
     }
   }
-  if (definition == SurfaceDefinition::Unbiased && widths.size() == count)
+  this->MostWidth = this->H;
+  if (definition == SurfaceDefinition::Unbiased && !widths.empty())
   {
+    this->Areas = areas;
     this->TakeWidths(widths);
   }
 }
 
 void MovingLeastSquares::TakeWidths(const std::vector<double>& widths)
 {
-  this->InverseSquaredReaches.resize(widths.size());
-  this->Areas.resize(widths.size());
+  std::vector<double> sorted = widths;
+  const auto narrow = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 100);
+  std::nth_element(sorted.begin(), narrow, sorted.end());
+  this->Narrow = *narrow;
+  this->MostWidth = *std::max_element(widths.begin(), widths.end());
+  this->R = ReachOfUnbiased * this->MostWidth;
   std::vector<double> reaches(widths.size());
-  this->Least = this->H;
-  this->R = 0.0;
+  this->InverseSquaredReaches.resize(widths.size());
   for (std::size_t i = 0; i < widths.size(); ++i)
   {
-    const double ratio = widths[i] / this->H;
     reaches[i] = ReachOfUnbiased * widths[i];
     this->InverseSquaredReaches[i] = 1.0 / (reaches[i] * reaches[i]);
-    this->Areas[i] = ratio * ratio;
-    this->Least = std::min(this->Least, widths[i]);
-    this->R = std::max(this->R, reaches[i]);
   }
   this->NodeReaches = this->Tree->LargestOfNodes(reaches.data());
 }
@@ -571,7 +573,7 @@ SurfaceValue MovingLeastSquares::Project(Real3& x, Neighbourhood& near) const
 SurfaceValue MovingLeastSquares::ProjectByNewton(Real3& x, Neighbourhood& near) const
 {
   const Real3 start = x;
-  const double margin = MarginOfIterations * this->LeastWidth();
+  const double margin = MarginOfIterations * this->NarrowWidth();
   this->Gather(x, margin, near);
   for (int iteration = 0; iteration < 40; ++iteration)
   {

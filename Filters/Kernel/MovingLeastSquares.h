@@ -70,12 +70,13 @@ public:
   /**
    * @param normals unit vectors, three doubles for each point of the tree's input
    * @param width h, positive
-   * @param widths of each sample, in the order of the tree, if they are not all the same: each
-   * weighs as far as its own allows, and as much as the area that it stands for. Only the unbiased
-   * surface takes them; `width` is then the typical one.
+   * @param widths, areas of each sample, in the order of the tree, if they are not all the same:
+   * each weighs as far as its width allows, and as much as the area that it stands for. Only the
+   * unbiased surface takes them; `width` is then the typical one.
    */
   MovingLeastSquares(std::shared_ptr<const PointTree> tree, const double* normals,
-    SurfaceDefinition definition, double width, const std::vector<double>& widths = {});
+    SurfaceDefinition definition, double width, const std::vector<double>& widths = {},
+    const std::vector<double>& areas = {});
 
   /** The samples near a place, copied together: memory of one thread, to use again and again. */
   class Neighbourhood
@@ -145,21 +146,28 @@ public:
   /** h; if samples have widths of their own, the typical one. */
   double Width() const { return this->H; }
 
-  /** The smallest width of a sample. */
-  double LeastWidth() const { return this->IsUneven() ? this->Least : this->H; }
+  /** The width that all but a hundredth of the samples have: what steps have to be measured by. */
+  double NarrowWidth() const { return this->IsUneven() ? this->Narrow : this->H; }
 
   /** How far the sample reaches that reaches farthest. */
   double Reach() const { return this->R; }
 
+  /** The width of the sample that reaches farthest. */
+  double LargestWidth() const { return this->MostWidth; }
+
   /** Whether samples have widths of their own. */
   bool IsUneven() const { return !this->Areas.empty(); }
 
-  /** The width of the i-th sample of the tree. */
-  double WidthOf(std::int32_t i) const
+  /** How far the i-th sample of the tree reaches. */
+  double ReachOf(std::int32_t i) const
   {
-    return this->IsUneven() ? this->H * std::sqrt(this->Areas[static_cast<std::size_t>(i)])
-                            : this->H;
+    return this->IsUneven()
+      ? 1.0 / std::sqrt(this->InverseSquaredReaches[static_cast<std::size_t>(i)])
+      : this->R;
   }
+
+  /** The width of the i-th sample of the tree. */
+  double WidthOf(std::int32_t i) const { return this->ReachOf(i) / this->R * this->MostWidth; }
 
   SurfaceDefinition Definition() const { return this->Kind; }
   const PointTree& Samples() const { return *this->Tree; }
@@ -182,10 +190,11 @@ private:
   SurfaceDefinition Kind;
   double H;
   double R;
-  double Least = 0.0;
+  double Narrow = 0.0;
+  double MostWidth = 0.0;
   // Of samples in the order of the tree, and of its nodes; empty if all have the same width.
   std::vector<double> InverseSquaredReaches;
-  std::vector<double> Areas; ///< in squares of H
+  std::vector<double> Areas;
   std::vector<double> NodeReaches;
 };
 
