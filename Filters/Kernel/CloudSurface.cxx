@@ -3,6 +3,7 @@
 #include "CloudSurface.h"
 
 #include "NormalEstimation.h"
+#include "SampleWidths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,7 @@ namespace
 
 constexpr std::int32_t FewestPoints = 6;
 constexpr double WidthInSpacings = 3.0;
+constexpr double MostThin = 0.2; ///< share of points on thin walls
 constexpr double NeighboursAtThat = 16.0; ///< that planes are fitted to; a larger width takes more
 constexpr std::int64_t Grain = 1 << 14;
 
@@ -63,9 +65,7 @@ public:
     {
       coordinate = this->Request.Flip ? -coordinate : coordinate;
     }
-    this->Cloud.Surface = std::make_shared<MovingLeastSquares>(this->Tree,
-      this->Cloud.Normals.data(), this->Request.Definition,
-      this->Request.Width > 0.0 ? this->Request.Width : WidthInSpacings * this->Cloud.Spacing);
+    this->MakeSurface();
     return std::move(this->Cloud);
   }
 
@@ -74,6 +74,19 @@ private:
   {
     this->Cloud.Status = status;
     return std::move(this->Cloud);
+  }
+
+  void MakeSurface()
+  {
+    const SampleWidths widths = WidthsOfSamples(*this->Tree, this->Cloud.Normals.data(),
+      this->Cloud.Spacing, this->Request.Width,
+      this->Request.Definition == SurfaceDefinition::Unbiased, this->Threads);
+    this->Cloud.ThinShare = widths.ThinShare;
+    this->Cloud.ThinWall = widths.ThinWall;
+    this->Cloud.Status = widths.ThinShare > MostThin ? CloudStatus::ThinWall : CloudStatus::Ok;
+    this->Cloud.Surface =
+      std::make_shared<MovingLeastSquares>(this->Tree, this->Cloud.Normals.data(),
+        this->Request.Definition, widths.Typical, widths.Widths, widths.Areas);
   }
 
   void ForEachPoint(const std::function<void(std::size_t)>& body)

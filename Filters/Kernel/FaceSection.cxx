@@ -553,7 +553,7 @@ FaceSection SectionOfFace(const FaceSectionRequest& request,
   const TrimmedDomain domain(designed, triangles);
   const double cell = LargestCell * request.Spacing;
   const PatchQuadtree tree(
-    patch, domain, surface.Samples(), { ReachInWidths * surface.Width(), cell }, executor, monitor);
+    patch, domain, surface.Samples(), { ReachInWidths * surface.LargestWidth(), cell }, executor, monitor);
   if (tree.NumberOfCells() == 0 || monitor.Aborted())
   {
     return section;

@@ -2,62 +2,124 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Lanes.h
- * @brief Two doubles at once, in one register where the compiler has such vectors.
+ * @brief Four doubles at once, in one register or two where the compiler has such vectors.
  *
- * Compilers may not reorder sums, and so do not vectorise them by themselves. The sums of two lanes
- * are the same on all machines.
+ * Compilers may not reorder sums, and so do not vectorise them by themselves. The sums of four
+ * lanes are the same on all machines, whatever width of registers they have.
  */
 #ifndef sb_Lanes_h
 #define sb_Lanes_h
 
+#include <cstddef>
+
 namespace sb
 {
 
+constexpr std::size_t NumberOfLanes = 4;
+
 #if defined(__GNUC__)
 
-using Lanes = double __attribute__((vector_size(16)));
+using Lanes = double __attribute__((vector_size(32)));
 
-/** The larger of a and 0 in each lane. */
-inline Lanes PositivePart(Lanes a) { return a > Lanes{ 0.0, 0.0 } ? a : Lanes{ 0.0, 0.0 }; }
+/** The same anywhere in memory. */
+using LanesInMemory = double __attribute__((vector_size(32), aligned(8), may_alias));
 
-/** 1 in each lane where a is positive, else 0. */
-inline Lanes IsPositive(Lanes a)
+inline void Fill(Lanes& lanes, double a) { lanes = Lanes{ a, a, a, a }; }
+inline void Load(Lanes& lanes, const double* from)
 {
-  return a > Lanes{ 0.0, 0.0 } ? Lanes{ 1.0, 1.0 } : Lanes{ 0.0, 0.0 };
+  lanes = *reinterpret_cast<const LanesInMemory*>(from);
+}
+inline void Store(double* to, const Lanes& lanes) { *reinterpret_cast<LanesInMemory*>(to) = lanes; }
+
+/** Keep a in the lanes where it is positive, and 0 elsewhere. */
+inline void KeepPositive(Lanes& a)
+{
+  const Lanes zero{};
+  a = a > zero ? a : zero;
+}
+
+/** Count the lanes in which a is positive, each in itself. */
+inline void CountPositive(Lanes& counts, const Lanes& a)
+{
+  const Lanes zero{};
+  const Lanes one{ 1.0, 1.0, 1.0, 1.0 };
+  counts += a > zero ? one : zero;
 }
 
 #else
 
 struct Lanes
 {
-  double First;
-  double Second;
+  double Each[NumberOfLanes];
 
-  double operator[](int lane) const { return lane == 0 ? this->First : this->Second; }
+  double operator[](int lane) const { return this->Each[lane]; }
   Lanes& operator+=(const Lanes& b)
   {
-    this->First += b.First;
-    this->Second += b.Second;
+    for (std::size_t lane = 0; lane < NumberOfLanes; ++lane)
+    {
+      this->Each[lane] += b.Each[lane];
+    }
     return *this;
   }
 };
-inline Lanes operator+(Lanes a, Lanes b) { return { a.First + b.First, a.Second + b.Second }; }
-inline Lanes operator-(Lanes a, Lanes b) { return { a.First - b.First, a.Second - b.Second }; }
-inline Lanes operator*(Lanes a, Lanes b) { return { a.First * b.First, a.Second * b.Second }; }
-inline Lanes PositivePart(Lanes a)
+inline Lanes operator+(Lanes a, const Lanes& b) { return a += b; }
+inline Lanes operator-(Lanes a, const Lanes& b)
 {
-  return { a.First > 0.0 ? a.First : 0.0, a.Second > 0.0 ? a.Second : 0.0 };
+  for (std::size_t lane = 0; lane < NumberOfLanes; ++lane)
+  {
+    a.Each[lane] -= b.Each[lane];
+  }
+  return a;
 }
-inline Lanes IsPositive(Lanes a)
+inline Lanes operator*(Lanes a, const Lanes& b)
 {
-  return { a.First > 0.0 ? 1.0 : 0.0, a.Second > 0.0 ? 1.0 : 0.0 };
+  for (std::size_t lane = 0; lane < NumberOfLanes; ++lane)
+  {
+    a.Each[lane] *= b.Each[lane];
+  }
+  return a;
+}
+inline void Fill(Lanes& lanes, double a)
+{
+  for (double& each : lanes.Each)
+  {
+    each = a;
+  }
+}
+inline void Load(Lanes& lanes, const double* from)
+{
+  for (double& each : lanes.Each)
+  {
+    each = *from++;
+  }
+}
+inline void Store(double* to, const Lanes& lanes)
+{
+  for (const double each : lanes.Each)
+  {
+    *to++ = each;
+  }
+}
+inline void KeepPositive(Lanes& a)
+{
+  for (double& each : a.Each)
+  {
+    each = each > 0.0 ? each : 0.0;
+  }
+}
+inline void CountPositive(Lanes& counts, const Lanes& a)
+{
+  for (std::size_t lane = 0; lane < NumberOfLanes; ++lane)
+  {
+    counts.Each[lane] += a.Each[lane] > 0.0 ? 1.0 : 0.0;
+  }
 }
 
 #endif
 
-inline Lanes Both(double a) { return Lanes{ a, a }; }
-inline Lanes Load(const double* a) { return Lanes{ a[0], a[1] }; }
-inline double Sum(Lanes a) { return a[0] + a[1]; }
+// By reference throughout: how vectors of this size are passed by value depends on the machine.
+
+inline double Sum(const Lanes& a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 
 } // namespace sb
 

@@ -116,7 +116,7 @@ private:
 
   void Walk(double begin, double end)
   {
-    const double step = StepInWidths * this->Surface.Width() / this->Size;
+    const double step = StepInWidths * this->Surface.NarrowWidth() / this->Size;
     const std::int64_t steps =
       std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil((end - begin) / step)));
     Place last = this->At(begin);
@@ -176,14 +176,14 @@ private:
         newton >= lower.T && newton <= upper.T ? newton : 0.5 * (lower.T + upper.T);
       const double moved = std::abs(next - at.T) * this->Size;
       at = this->At(next);
-      if (moved < 1e-12 * this->Surface.Width() || !(lower.T < upper.T))
+      if (moved < 1e-12 * this->Surface.NarrowWidth() || !(lower.T < upper.T))
       {
         break;
       }
     }
     const SurfaceValue f =
       this->Surface.EvaluateAt(PlusScaled(this->Start, at.T, this->Along), 0, this->Near);
-    if (f.Where == Support::Defined && std::abs(f.Value) < 1e-6 * this->Surface.Width())
+    if (f.Where == Support::Defined && std::abs(f.Value) < 1e-6 * this->Surface.NarrowWidth())
     {
       this->Found.push_back(at.T);
     }

@@ -56,7 +56,7 @@ public:
     : Surface(surface)
     , Mesh(mesh)
     , Request(request)
-    , SmallEdge(std::min(request.Spacing, surface.Width() / 3.0))
+    , SmallEdge(std::min(request.Spacing, surface.NarrowWidth() / 3.0))
     , Threads(executor)
     , Watch(monitor)
   {
@@ -66,7 +66,7 @@ public:
   {
     MeshSection section;
     this->Refined = RefineNearCloud(this->Mesh, this->Surface.Samples(),
-      { this->Surface.Width(), this->SmallEdge, 0.0 }, this->Threads, this->Watch);
+      { this->Surface.LargestWidth(), this->SmallEdge, 0.0 }, this->Threads, this->Watch);
     if (this->Refined.Status == RefinementStatus::Ok)
     {
       this->Watch.Progress(0.2, "Intersect");

@@ -3,8 +3,10 @@
 #include "MovingLeastSquares.h"
 
 #include "Lanes.h"
+#include "UnbiasedSurface.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace sb
 {
@@ -15,13 +17,13 @@ constexpr std::int32_t FewestNeighbours = 6;
 constexpr double LeastAgreement = 0.3; ///< of |N| to the sum of weights
 constexpr double LargestOffset = 0.5; ///< of the samples' mean along the surface, in h
 constexpr double MarginOfIterations = 0.35; ///< in h: most projections stay within it
+constexpr double SlackOfLeaves = 0.4; ///< in R
+constexpr double LastStep = 1e-6; ///< in h
+constexpr double ReachOfUnbiased = 2.2; ///< in h
+constexpr double ReachOfAmentaKil = 4.5;
+constexpr std::size_t FirstRoom = 8; ///< rows before it hold samples, three from it on are room
+constexpr std::size_t NumberOfRows = FirstRoom + 3;
 const double OneOverRootThree = 1.0 / std::sqrt(3.0);
-
-/** (1 - squared / R^2)^4 up to R. */
-struct CompactWeight
-{
-  double InverseSquaredReach;
-};
 
 /** Cut where it has fallen below 2e-9, so that the function has no step that its curvature shows.
  */
@@ -143,153 +145,6 @@ void DivideByWeights(double w, const Real3& wb, const Real3x3& wbc, int order, S
   f.Value *= scale;
 }
 
-SymmetricSum<double> SumOf(const SymmetricSum<Lanes>& m)
-{
-  return { Sum(m.XX), Sum(m.XY), Sum(m.XZ), Sum(m.YY), Sum(m.YZ), Sum(m.ZZ) };
-}
-
-/** What one pass over the neighbours gives; the rows from WB on for the gradient. */
-struct FirstSums
-{
-  double Neighbours = 0.0;
-  double W = 0.0;
-  double K = 0.0;
-  Real3 B{};
-  Real3 N{};
-  Real3 WB{}; ///< sum th_b
-  Real3 KB{}; ///< sum th_b (v . d)
-  Real3x3 NB{}; ///< sum v_a th_b
-  SymmetricSum<double> Spread; ///< sum th_b d_a, without W on its diagonal
-};
-
-template <int Order>
-FirstSums SumFirst(
-  const Real3& x, const double* const rows[6], std::size_t count, const CompactWeight& weight)
-{
-  using Lanes3 = std::array<Lanes, 3>;
-  const Lanes zero = Both(0.0);
-  Lanes neighbours = zero, w = zero, k = zero;
-  Lanes3 b{ zero, zero, zero }, n = b, wb = b, kb = b;
-  std::array<Lanes3, 3> nb{ b, b, b };
-  SymmetricSum<Lanes> spread{ zero, zero, zero, zero, zero, zero };
-  const Lanes inverse = Both(weight.InverseSquaredReach);
-  const Lanes slope = Both(-8.0 * weight.InverseSquaredReach); // of th by d, without t^3
-  for (std::size_t i = 0; i < count; i += 2)
-  {
-    const Lanes3 d{ Both(x[0]) - Load(rows[0] + i), Both(x[1]) - Load(rows[1] + i),
-      Both(x[2]) - Load(rows[2] + i) };
-    const Lanes3 v{ Load(rows[3] + i), Load(rows[4] + i), Load(rows[5] + i) };
-    const Lanes left = Both(1.0) - (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) * inverse;
-    const Lanes t = PositivePart(left);
-    const Lanes t2 = t * t;
-    const Lanes th = t2 * t2;
-    const Lanes height = d[0] * v[0] + d[1] * v[1] + d[2] * v[2];
-    neighbours += IsPositive(left);
-    w += th;
-    k += th * height;
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      b[a] += th * d[a];
-      n[a] += th * v[a];
-    }
-    if constexpr (Order > 0)
-    {
-      const Lanes steep = slope * t2 * t;
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        const Lanes thc = steep * d[c];
-        wb[c] += thc;
-        kb[c] += thc * height;
-        for (std::size_t a = 0; a < 3; ++a)
-        {
-          nb[a][c] += v[a] * thc;
-        }
-      }
-      spread.Add(steep, d[0], d[1], d[2]);
-    }
-  }
-  FirstSums sums;
-  sums.Neighbours = Sum(neighbours);
-  sums.W = Sum(w);
-  sums.K = Sum(k);
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    sums.B[a] = Sum(b[a]);
-    sums.N[a] = Sum(n[a]);
-    sums.WB[a] = Sum(wb[a]);
-    sums.KB[a] = Sum(kb[a]);
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      sums.NB[a][c] = Sum(nb[a][c]);
-    }
-  }
-  sums.Spread = SumOf(spread);
-  return sums;
-}
-
-/** Sums with the second derivatives of the weights. */
-struct SecondSums
-{
-  Real3x3 OfF; ///< sum number th_bc
-  Real3x3 OfW; ///< sum th_bc
-};
-
-/** @param contraction, n the number of a sample is contraction . v + d . (n + v). */
-SecondSums SumSecond(const Real3& x, const double* const rows[6], std::size_t count,
-  const CompactWeight& weight, const Real3& contraction, const Real3& n)
-{
-  const Lanes zero = Both(0.0);
-  SymmetricSum<Lanes> ofF{ zero, zero, zero, zero, zero, zero };
-  SymmetricSum<Lanes> ofW = ofF;
-  Lanes diagonalOfF = zero, diagonalOfW = zero;
-  const Lanes inverse = Both(weight.InverseSquaredReach);
-  const Lanes slope = Both(-8.0 * weight.InverseSquaredReach);
-  const Lanes bend = Both(48.0 * weight.InverseSquaredReach * weight.InverseSquaredReach);
-  for (std::size_t i = 0; i < count; i += 2)
-  {
-    std::array<Lanes, 3> d;
-    Lanes number = zero;
-    Lanes squared = zero;
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const Lanes v = Load(rows[3 + a] + i);
-      d[a] = Both(x[a]) - Load(rows[a] + i);
-      squared += d[a] * d[a];
-      number += Both(contraction[a]) * v + d[a] * (Both(n[a]) + v);
-    }
-    const Lanes t = PositivePart(Both(1.0) - squared * inverse);
-    const Lanes t2 = t * t;
-    const Lanes second = bend * t2;
-    const Lanes first = slope * t2 * t;
-    ofW.Add(second, d[0], d[1], d[2]);
-    ofF.Add(second * number, d[0], d[1], d[2]);
-    diagonalOfW += first;
-    diagonalOfF += first * number;
-  }
-  return { SumOf(ofF).PlusDiagonal(Sum(diagonalOfF)), SumOf(ofW).PlusDiagonal(Sum(diagonalOfW)) };
-}
-
-/** The terms of the Hessian of F with first derivatives of two things: n_b . B_c + n_c . B_b, and
- * what second derivatives of sums over d leave over. */
-void AddMixed(
-  const NormalField& field, const FirstSums& sums, const Real3x3& derivativeOfB, Real3x3& hessian)
-{
-  for (std::size_t r = 0; r < 3; ++r)
-  {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      double mixed =
-        sums.WB[r] * field.Unit[c] + sums.WB[c] * field.Unit[r] + sums.NB[c][r] + sums.NB[r][c];
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        mixed += field.Derivative[a][r] * derivativeOfB[a][c] +
-          field.Derivative[a][c] * derivativeOfB[a][r];
-      }
-      hessian[r][c] += mixed;
-    }
-  }
-}
-
 /** Of the Gaussian weight, what does not need n. */
 struct NormalSums
 {
@@ -401,10 +256,17 @@ struct GaussianSamples
   }
 };
 
-/** @param mean the weighted mean of d */
-Support Judge(double length, double weights, const Real3& mean, const Real3& n, double h)
+/** Surfaces have numbers, as one may come to lie in memory where another one was. */
+std::uint64_t NextNumber()
 {
-  if (length < LeastAgreement * weights)
+  static std::atomic<std::uint64_t> last{ 0 };
+  return ++last;
+}
+
+/** @param agreement |N| / W. @param mean the weighted mean of d */
+Support Judge(double agreement, const Real3& mean, const Real3& n, double h)
+{
+  if (agreement < LeastAgreement)
   {
     return Support::Contradicting;
   }
@@ -415,11 +277,13 @@ Support Judge(double length, double weights, const Real3& mean, const Real3& n, 
 } // namespace
 
 MovingLeastSquares::MovingLeastSquares(std::shared_ptr<const PointTree> tree, const double* normals,
-  SurfaceDefinition definition, double width)
+  SurfaceDefinition definition, double width, const std::vector<double>& widths,
+  const std::vector<double>& areas)
   : Tree(std::move(tree))
+  , Number(NextNumber())
   , Kind(definition)
   , H(width)
-  , R((definition == SurfaceDefinition::AmentaKil ? 4.5 : 2.2) * width)
+  , R((definition == SurfaceDefinition::AmentaKil ? ReachOfAmentaKil : ReachOfUnbiased) * width)
 {
   const std::size_t count = static_cast<std::size_t>(this->Tree->Size());
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -431,6 +295,30 @@ MovingLeastSquares::MovingLeastSquares(std::shared_ptr<const PointTree> tree, co
       this->Normals[axis][i] = normals[3 * id + axis];
     }
   }
+  this->MostWidth = this->H;
+  if (definition == SurfaceDefinition::Unbiased && !widths.empty())
+  {
+    this->Areas = areas;
+    this->TakeWidths(widths);
+  }
+}
+
+void MovingLeastSquares::TakeWidths(const std::vector<double>& widths)
+{
+  std::vector<double> sorted = widths;
+  const auto narrow = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 100);
+  std::nth_element(sorted.begin(), narrow, sorted.end());
+  this->Narrow = *narrow;
+  this->MostWidth = *std::max_element(widths.begin(), widths.end());
+  this->R = ReachOfUnbiased * this->MostWidth;
+  std::vector<double> reaches(widths.size());
+  this->InverseSquaredReaches.resize(widths.size());
+  for (std::size_t i = 0; i < widths.size(); ++i)
+  {
+    reaches[i] = ReachOfUnbiased * widths[i];
+    this->InverseSquaredReaches[i] = 1.0 / (reaches[i] * reaches[i]);
+  }
+  this->NodeReaches = this->Tree->LargestOfNodes(reaches.data());
 }
 
 Real3 MovingLeastSquares::SampleNormal(std::int32_t i) const
@@ -443,51 +331,125 @@ void MovingLeastSquares::Gather(const Real3& x, double margin, Neighbourhood& ne
 {
   near.Centre = x;
   near.Margin = margin;
-  std::size_t count = 0;
-  const double radius = this->R + margin;
-  const double limit = radius * radius;
+  near.Count = 0;
+  this->CollectLeaves(x, margin, near);
+  for (const Neighbourhood::Leaf& leaf : near.Leaves)
+  {
+    const double radius = leaf.Reach + margin;
+    if (PointTree::SquaredDistance(x, leaf.Lower, leaf.Upper) < radius * radius)
+    {
+      this->IsUneven() ? this->GatherUneven(leaf.Begin, leaf.End, near)
+                       : this->GatherEven(leaf.Begin, leaf.End, near);
+    }
+  }
+  // Some more, out of reach, so that four at a time can be summed.
+  const std::size_t count = static_cast<std::size_t>(near.Count);
+  near.MakeRoom(count + NumberOfLanes);
+  const double far[FirstRoom] = { x[0] + 2.0 * (this->R + margin), x[1], x[2], 0.0, 0.0, 0.0,
+    1.0 / (this->R * this->R), 0.0 };
+  for (std::size_t place = count; place % NumberOfLanes != 0; ++place)
+  {
+    for (std::size_t row = 0; row < FirstRoom; ++row)
+    {
+      near.Row(row)[place] = far[row];
+    }
+  }
+}
+
+/** Places mostly follow each other closely. Then the leaves of the tree are looked up once for a
+ * ball that holds several of them. */
+void MovingLeastSquares::CollectLeaves(const Real3& x, double margin, Neighbourhood& near) const
+{
+  const double away = Length(Difference(x, near.LeavesCentre));
+  if (near.LeavesOf == this->Number && away + margin <= near.LeavesMargin)
+  {
+    return;
+  }
+  const bool follows = near.LeavesOf == this->Number && away < SlackOfLeaves * this->R;
+  near.LeavesOf = this->Number;
+  near.LeavesCentre = x;
+  near.LeavesMargin = margin + (follows ? SlackOfLeaves * this->R : 0.0);
+  near.Leaves.clear();
+  const auto reachOf = [this](std::size_t node) {
+    return this->IsUneven() ? this->NodeReaches[node] : this->R;
+  };
+  this->Tree->ForLeaves(
+    [&](std::size_t node, const Real3& lower, const Real3& upper) {
+      const double radius = reachOf(node) + near.LeavesMargin;
+      return PointTree::SquaredDistance(x, lower, upper) < radius * radius;
+    },
+    [&](std::size_t node, std::int32_t begin, std::int32_t end) {
+      near.Leaves.push_back(
+        { this->Tree->LowerOf(node), this->Tree->UpperOf(node), reachOf(node), begin, end });
+    });
+}
+
+void MovingLeastSquares::Neighbourhood::MakeRoom(std::size_t needed)
+{
+  if (needed <= this->Capacity)
+  {
+    return;
+  }
+  const std::size_t capacity = 2 * needed;
+  std::vector<double> larger(NumberOfRows * capacity);
+  for (std::size_t row = 0; row < FirstRoom; ++row)
+  {
+    std::copy_n(
+      this->Row(row), static_cast<std::size_t>(this->Count), larger.data() + row * capacity);
+  }
+  this->Memory.swap(larger);
+  this->Capacity = capacity;
+}
+
+void MovingLeastSquares::GatherEven(std::int32_t begin, std::int32_t end, Neighbourhood& near) const
+{
+  std::size_t count = static_cast<std::size_t>(near.Count);
+  near.MakeRoom(count + static_cast<std::size_t>(end - begin) + NumberOfLanes);
+  const double limit = (this->R + near.Margin) * (this->R + near.Margin);
   const double* const px = this->Tree->Axis(0);
   const double* const py = this->Tree->Axis(1);
   const double* const pz = this->Tree->Axis(2);
-  this->Tree->ForRangesWithin(x, radius, [&](std::int32_t begin, std::int32_t end) {
-    const std::size_t needed = count + static_cast<std::size_t>(end - begin);
-    if (needed + 1 > near.Capacity)
-    {
-      const std::size_t capacity = 2 * needed;
-      std::vector<double> larger(9 * capacity);
-      for (std::size_t row = 0; row < 6; ++row)
-      {
-        std::copy_n(near.Row(row), count, larger.data() + row * capacity);
-      }
-      near.Memory.swap(larger);
-      near.Capacity = capacity;
-    }
-    double* const rows[6] = { near.Row(0), near.Row(1), near.Row(2), near.Row(3), near.Row(4),
-      near.Row(5) };
-    for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-    {
-      const double dx = px[i] - x[0];
-      const double dy = py[i] - x[1];
-      const double dz = pz[i] - x[2];
-      // Written always and counted only if near: no branch to guess wrong.
-      rows[0][count] = px[i];
-      rows[1][count] = py[i];
-      rows[2][count] = pz[i];
-      rows[3][count] = this->Normals[0][i];
-      rows[4][count] = this->Normals[1][i];
-      rows[5][count] = this->Normals[2][i];
-      count += dx * dx + dy * dy + dz * dz < limit ? 1 : 0;
-    }
-  });
-  near.Count = static_cast<std::int32_t>(count);
-  if (count % 2 == 1) // one more, out of reach, so that two at a time can be summed
+  double* const rows[6] = { near.Row(0), near.Row(1), near.Row(2), near.Row(3), near.Row(4),
+    near.Row(5) };
+  for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
   {
-    const double far[6] = { x[0] + 2.0 * radius, x[1], x[2], 0.0, 0.0, 0.0 };
-    for (std::size_t row = 0; row < 6; ++row)
-    {
-      near.Row(row)[count] = far[row];
-    }
+    const double dx = px[i] - near.Centre[0];
+    const double dy = py[i] - near.Centre[1];
+    const double dz = pz[i] - near.Centre[2];
+    // Written always and counted only if near: no branch to guess wrong.
+    rows[0][count] = px[i];
+    rows[1][count] = py[i];
+    rows[2][count] = pz[i];
+    rows[3][count] = this->Normals[0][i];
+    rows[4][count] = this->Normals[1][i];
+    rows[5][count] = this->Normals[2][i];
+    count += dx * dx + dy * dy + dz * dz < limit ? 1 : 0;
   }
+  near.Count = static_cast<std::int32_t>(count);
+}
+
+void MovingLeastSquares::GatherUneven(
+  std::int32_t begin, std::int32_t end, Neighbourhood& near) const
+{
+  std::size_t count = static_cast<std::size_t>(near.Count);
+  near.MakeRoom(count + static_cast<std::size_t>(end - begin) + NumberOfLanes);
+  for (std::int32_t i = begin; i < end; ++i)
+  {
+    const std::size_t place = static_cast<std::size_t>(i);
+    const Real3 q = this->Tree->Point(i);
+    const double inverse = this->InverseSquaredReaches[place];
+    const double limit = 1.0 / std::sqrt(inverse) + near.Margin;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      near.Row(axis)[count] = q[axis];
+      near.Row(3 + axis)[count] = this->Normals[axis][place];
+    }
+    near.Row(6)[count] = inverse;
+    near.Row(7)[count] = this->Areas[place];
+    const Real3 d = Difference(q, near.Centre);
+    count += Dot(d, d) < limit * limit ? 1 : 0;
+  }
+  near.Count = static_cast<std::int32_t>(count);
 }
 
 SurfaceValue MovingLeastSquares::Evaluate(const Real3& x, int order, Neighbourhood& near) const
@@ -503,50 +465,38 @@ SurfaceValue MovingLeastSquares::Evaluate(const Real3& x, int order, Neighbourho
   return this->EvaluateUnbiased(x, order, near);
 }
 
-/** F = n . B + K with B = sum th d and K = sum th v . d. */
+/** UnbiasedSurface.h says what it is. */
 SurfaceValue MovingLeastSquares::EvaluateUnbiased(
   const Real3& x, int order, Neighbourhood& near) const
 {
-  const std::size_t count = static_cast<std::size_t>(near.Count);
-  const double* const rows[6] = { near.Row(0), near.Row(1), near.Row(2), near.Row(3), near.Row(4),
-    near.Row(5) };
-  const CompactWeight weight{ 1.0 / (this->R * this->R) };
-  const FirstSums sums =
-    order > 0 ? SumFirst<1>(x, rows, count, weight) : SumFirst<0>(x, rows, count, weight);
-  const double w = sums.W;
-  const Real3& b = sums.B;
-  const Real3& n = sums.N;
+  SampleRows rows;
+  rows.Count =
+    (static_cast<std::size_t>(near.Count) + NumberOfLanes - 1) / NumberOfLanes * NumberOfLanes;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    rows.Position[axis] = near.Row(axis);
+    rows.Normal[axis] = near.Row(3 + axis);
+    rows.Room[axis] = near.Row(FirstRoom + axis);
+  }
+  rows.CommonInverseSquaredReach = 1.0 / (this->R * this->R);
+  if (this->IsUneven())
+  {
+    rows.InverseSquaredReach = near.Row(6);
+    rows.Area = near.Row(7);
+  }
+  const UnbiasedValue value = sb::EvaluateUnbiased(x, order, rows);
   SurfaceValue f;
-  if (sums.Neighbours < FewestNeighbours)
+  if (value.Neighbours < FewestNeighbours)
   {
     return f;
   }
-  const NormalField field(n, sums.NB);
   f.IsNear = true;
-  f.Where = Judge(field.Length, w, Scaled(b, 1.0 / w), field.Unit, this->H);
-  f.Value = Dot(field.Unit, b) + sums.K;
-  Real3x3 wbc{};
-  if (order > 0)
-  {
-    const Real3x3 bb = sums.Spread.PlusDiagonal(w);
-    const Real3 ofNormal = TransposeTimes(field.Derivative, b);
-    const Real3 ofMean = TransposeTimes(bb, field.Unit);
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      f.Gradient[c] = ofNormal[c] + ofMean[c] + sums.KB[c] + n[c];
-    }
-    if (order > 1)
-    {
-      // Second derivatives of the weights enter F only contracted: sum th_bc times one number a
-      // sample.
-      const SecondSums second = SumSecond(x, rows, count, weight, field.Contraction(b), field.Unit);
-      wbc = second.OfW;
-      f.Hessian = second.OfF;
-      field.AddContracted(b, sums.NB, f.Hessian);
-      AddMixed(field, sums, bb, f.Hessian);
-    }
-  }
-  DivideByWeights(w, sums.WB, wbc, order, f);
+  f.Width =
+    this->IsUneven() ? 1.0 / (ReachOfUnbiased * std::sqrt(value.MeanInverseSquaredReach)) : this->H;
+  f.Where = Judge(value.Agreement, value.Mean, value.Normal, f.Width);
+  f.Value = value.Value;
+  f.Gradient = value.Gradient;
+  f.Hessian = value.Hessian;
   return f;
 }
 
@@ -557,7 +507,7 @@ SurfaceValue MovingLeastSquares::EvaluateAmentaKil(
   const double* const rows[6] = { near.Row(0), near.Row(1), near.Row(2), near.Row(3), near.Row(4),
     near.Row(5) };
   const GaussianWeight weight{ 1.0 / (this->H * this->H), this->R * this->R };
-  const GaussianSamples samples{ x, rows, near.Row(6), static_cast<std::size_t>(near.Count),
+  const GaussianSamples samples{ x, rows, near.Row(FirstRoom), static_cast<std::size_t>(near.Count),
     -weight.InverseSquaredWidth };
   const NormalSums sums = samples.SumNormals(weight, order);
   SurfaceValue f;
@@ -569,7 +519,8 @@ SurfaceValue MovingLeastSquares::EvaluateAmentaKil(
   const Real3 mean = Scaled(sums.B, 1.0 / sums.W);
   const double height = Dot(mean, field.Unit);
   f.IsNear = true;
-  f.Where = Judge(field.Length, sums.W, mean, field.Unit, this->H);
+  f.Width = this->H;
+  f.Where = Judge(field.Length / sums.W, mean, field.Unit, this->H);
   if (std::abs(height) > OneOverRootThree * this->H)
   {
     // Beyond its reach the sign of g says nothing; that of the height still does.
@@ -622,12 +573,13 @@ SurfaceValue MovingLeastSquares::Project(Real3& x, Neighbourhood& near) const
 SurfaceValue MovingLeastSquares::ProjectByNewton(Real3& x, Neighbourhood& near) const
 {
   const Real3 start = x;
-  this->Gather(x, MarginOfIterations * this->H, near);
+  const double margin = MarginOfIterations * this->NarrowWidth();
+  this->Gather(x, margin, near);
   for (int iteration = 0; iteration < 40; ++iteration)
   {
     if (Length(Difference(x, near.Centre)) > near.Margin)
     {
-      this->Gather(x, MarginOfIterations * this->H, near);
+      this->Gather(x, margin, near);
     }
     const SurfaceValue f = this->Evaluate(x, 1, near);
     const double steepness = Dot(f.Gradient, f.Gradient);
@@ -636,14 +588,14 @@ SurfaceValue MovingLeastSquares::ProjectByNewton(Real3& x, Neighbourhood& near) 
       return {};
     }
     const double length = std::abs(f.Value) / std::sqrt(steepness);
-    const double most = 0.5 * this->H;
+    const double most = 0.5 * f.Width;
     const double damping = length > most ? most / length : 1.0;
     x = PlusScaled(x, -damping * f.Value / steepness, f.Gradient);
-    if (Length(Difference(x, start)) > this->H)
+    if (Length(Difference(x, start)) > f.Width)
     {
       return {};
     }
-    if (length < 1e-7 * this->H) // and quadratic convergence has squared it by now
+    if (length < LastStep * f.Width) // and quadratic convergence has squared it by now
     {
       return f;
     }
@@ -656,8 +608,8 @@ bool MovingLeastSquares::StepToLeastEnergy(Real3& x, Neighbourhood& near, double
 {
   const GaussianWeight weight{ 1.0 / (this->H * this->H), this->R * this->R };
   const std::size_t count = static_cast<std::size_t>(near.Count);
-  double* const heights = near.Row(6);
-  double* const squares = near.Row(7);
+  double* const heights = near.Row(FirstRoom);
+  double* const squares = near.Row(FirstRoom + 1);
   Real3 n{};
   for (std::size_t i = 0; i < count; ++i)
   {

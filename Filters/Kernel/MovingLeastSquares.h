@@ -16,9 +16,11 @@
  *
  * Unbiased, the default: the mean of n . (weighted mean of d) and of the weighted mean of v . d.
  * The first lies inside of a sphere by as much as the second lies outside, and for points on a
- * sphere the mean is exact for every h. It has one zero sheet, and as it is close to a distance,
- * one step of Newton's method nearly reaches it. The weight (1 - |d|^2 / R^2)^4 with R = 2.2 h ends
- * at R by itself and costs no exponential.
+ * sphere the mean is exact for every h and every placement of the points; UnbiasedSurface.h says
+ * with which n. It has one zero sheet, and as it is close to a distance, one step of Newton's
+ * method nearly reaches it. The weight (1 - |d|^2 / R^2)^4 with R = 2.2 h ends at R by itself and
+ * costs no exponential. Here samples may have widths of their own, so that each reaches as far as
+ * its neighbours are, however the density of the cloud varies.
  *
  * Both are handed out divided by twice the sum of the weights, and so are a length: the zero set
  * and the curvatures of its sections are those of Eq. 5. The value is negative behind the normals.
@@ -59,6 +61,7 @@ struct SurfaceValue
   double Value = 0.0;
   Real3 Gradient{};
   Real3x3 Hessian{};
+  double Width = 0.0; ///< h there, if it is near
 };
 
 class MovingLeastSquares
@@ -67,20 +70,37 @@ public:
   /**
    * @param normals unit vectors, three doubles for each point of the tree's input
    * @param width h, positive
+   * @param widths, areas of each sample, in the order of the tree, if they are not all the same:
+   * each weighs as far as its width allows, and as much as the area that it stands for. Only the
+   * unbiased surface takes them; `width` is then the typical one.
    */
   MovingLeastSquares(std::shared_ptr<const PointTree> tree, const double* normals,
-    SurfaceDefinition definition, double width);
+    SurfaceDefinition definition, double width, const std::vector<double>& widths = {},
+    const std::vector<double>& areas = {});
 
   /** The samples near a place, copied together: memory of one thread, to use again and again. */
   class Neighbourhood
   {
     friend class MovingLeastSquares;
     std::int32_t Count = 0;
-    std::vector<double> Memory; ///< rows of Capacity: q, v, then room for weights
+    std::vector<double> Memory; ///< rows of Capacity: q, v, reach, area, then room
     std::size_t Capacity = 0;
     Real3 Centre{};
     double Margin = 0.0;
+    struct Leaf ///< of the tree
+    {
+      Real3 Lower;
+      Real3 Upper;
+      double Reach; ///< of its samples
+      std::int32_t Begin;
+      std::int32_t End;
+    };
+    std::vector<Leaf> Leaves; ///< all that matter up to LeavesMargin from LeavesCentre
+    std::uint64_t LeavesOf = 0; ///< number of the surface
+    Real3 LeavesCentre{};
+    double LeavesMargin = 0.0;
     double* Row(std::size_t row) { return this->Memory.data() + row * this->Capacity; }
+    void MakeRoom(std::size_t needed);
   };
 
   /** Gather the samples that matter for places up to `margin` from x. */
@@ -95,7 +115,7 @@ public:
   /** The same, gathering if the neighbourhood does not do for x. */
   SurfaceValue EvaluateNear(const Real3& x, int order, Neighbourhood& near) const
   {
-    if (!(Length(Difference(x, near.Centre)) <= near.Margin))
+    if (near.LeavesOf != this->Number || !(Length(Difference(x, near.Centre)) <= near.Margin))
     {
       this->Gather(x, 0.0, near);
     }
@@ -123,11 +143,31 @@ public:
    */
   double DistanceToSamples(const Real3& x, Real3* gradient) const;
 
-  /** h. */
+  /** h; if samples have widths of their own, the typical one. */
   double Width() const { return this->H; }
 
-  /** How far a sample reaches. */
+  /** The width that all but a hundredth of the samples have: what steps have to be measured by. */
+  double NarrowWidth() const { return this->IsUneven() ? this->Narrow : this->H; }
+
+  /** How far the sample reaches that reaches farthest. */
   double Reach() const { return this->R; }
+
+  /** The width of the sample that reaches farthest. */
+  double LargestWidth() const { return this->MostWidth; }
+
+  /** Whether samples have widths of their own. */
+  bool IsUneven() const { return !this->Areas.empty(); }
+
+  /** How far the i-th sample of the tree reaches. */
+  double ReachOf(std::int32_t i) const
+  {
+    return this->IsUneven()
+      ? 1.0 / std::sqrt(this->InverseSquaredReaches[static_cast<std::size_t>(i)])
+      : this->R;
+  }
+
+  /** The width of the i-th sample of the tree. */
+  double WidthOf(std::int32_t i) const { return this->ReachOf(i) / this->R * this->MostWidth; }
 
   SurfaceDefinition Definition() const { return this->Kind; }
   const PointTree& Samples() const { return *this->Tree; }
@@ -136,15 +176,26 @@ public:
 private:
   SurfaceValue EvaluateUnbiased(const Real3& x, int order, Neighbourhood& near) const;
   SurfaceValue EvaluateAmentaKil(const Real3& x, int order, Neighbourhood& near) const;
+  void TakeWidths(const std::vector<double>& widths);
+  void CollectLeaves(const Real3& x, double margin, Neighbourhood& near) const;
+  void GatherEven(std::int32_t begin, std::int32_t end, Neighbourhood& near) const;
+  void GatherUneven(std::int32_t begin, std::int32_t end, Neighbourhood& near) const;
   SurfaceValue ProjectByNewton(Real3& x, Neighbourhood& near) const;
   SurfaceValue ProjectByEnergy(Real3& x, Neighbourhood& near) const;
   bool StepToLeastEnergy(Real3& x, Neighbourhood& near, double& step) const;
 
   std::shared_ptr<const PointTree> Tree;
+  std::uint64_t Number;
   std::array<std::vector<double>, 3> Normals; ///< in the order of the tree
   SurfaceDefinition Kind;
   double H;
   double R;
+  double Narrow = 0.0;
+  double MostWidth = 0.0;
+  // Of samples in the order of the tree, and of its nodes; empty if all have the same width.
+  std::vector<double> InverseSquaredReaches;
+  std::vector<double> Areas;
+  std::vector<double> NodeReaches;
 };
 
 /** Curvatures of a surface where its defining function has these derivatives. A sphere with its

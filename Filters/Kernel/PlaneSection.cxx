@@ -18,7 +18,6 @@ namespace
 
 constexpr std::int64_t Grain = 128;
 constexpr double SquareInWidths = 1.0 / 3.0;
-constexpr std::int32_t Around = 3; ///< squares around a sample's that are looked at: one width
 constexpr double Rounding = 1e-12; ///< in widths: values below it have no sign
 
 /** A square of the plane's grid, or the node at its lower corner. */
@@ -32,6 +31,13 @@ struct Square
     return this->V != other.V ? this->V < other.V : this->U < other.U;
   }
   bool operator==(const Square& other) const { return this->U == other.U && this->V == other.V; }
+};
+
+/** The square of a sample, and how many around it are within the sample's width. */
+struct Seed
+{
+  Square Place;
+  std::int32_t Around;
 };
 
 /** Corners in a ring, counter-clockwise. */
@@ -54,7 +60,7 @@ public:
     : Surface(surface)
     , Normal(normal)
     , ChordError(chordError)
-    , Edge(SquareInWidths * surface.Width())
+    , Edge(SquareInWidths * surface.NarrowWidth())
     , Threads(executor)
     , Watch(monitor)
   {
@@ -113,8 +119,8 @@ private:
   void ListSquares()
   {
     const PointTree& samples = this->Surface.Samples();
-    const double width = this->Surface.Width();
-    std::vector<Square> seeds;
+    const double width = this->Surface.LargestWidth();
+    std::vector<Seed> seeds;
     const auto isNear = [&](const Real3& lower, const Real3& upper) {
       double least = 0.0;
       double most = 0.0;
@@ -134,20 +140,30 @@ private:
         const double u = std::floor(Dot(from, this->AxisU) / this->Edge);
         const double v = std::floor(Dot(from, this->AxisV) / this->Edge);
         constexpr double most = 1 << 30;
-        if (std::abs(Dot(from, this->Normal)) <= width && std::abs(u) < most && std::abs(v) < most)
+        const double own = this->Surface.WidthOf(i);
+        if (std::abs(Dot(from, this->Normal)) <= own && std::abs(u) < most && std::abs(v) < most)
         {
-          seeds.push_back({ static_cast<std::int32_t>(u), static_cast<std::int32_t>(v) });
+          seeds.push_back({ { static_cast<std::int32_t>(u), static_cast<std::int32_t>(v) },
+            static_cast<std::int32_t>(std::ceil(own / this->Edge - Rounding)) });
         }
       }
     });
-    SortUnique(seeds, this->Threads);
-    for (const Square& seed : seeds)
+    ParallelSort(
+      seeds,
+      [](const Seed& a, const Seed& b) {
+        return a.Place == b.Place ? a.Around > b.Around : a.Place < b.Place;
+      },
+      this->Threads);
+    seeds.erase(std::unique(seeds.begin(), seeds.end(),
+                  [](const Seed& a, const Seed& b) { return a.Place == b.Place; }),
+      seeds.end());
+    for (const Seed& seed : seeds)
     {
-      for (std::int32_t v = -Around; v <= Around; ++v)
+      for (std::int32_t v = -seed.Around; v <= seed.Around; ++v)
       {
-        for (std::int32_t u = -Around; u <= Around; ++u)
+        for (std::int32_t u = -seed.Around; u <= seed.Around; ++u)
         {
-          this->Squares.push_back({ seed.U + u, seed.V + v });
+          this->Squares.push_back({ seed.Place.U + u, seed.Place.V + v });
         }
       }
     }
@@ -186,7 +202,7 @@ private:
 
   bool IsInside(std::size_t node) const
   {
-    return this->Values[node] < -Rounding * this->Surface.Width();
+    return this->Values[node] < -Rounding * this->Surface.NarrowWidth();
   }
 
   /** In each square, from where the curve comes in to where it goes out, inside on the left. */

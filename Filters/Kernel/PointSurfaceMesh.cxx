@@ -3,10 +3,11 @@
 #include "PointSurfaceMesh.h"
 
 #include "CubeCases.h"
+#include "DisjointSets.h"
 #include "ParallelSort.h"
 
 #include <algorithm>
-#include <tuple>
+#include <limits>
 
 namespace sb
 {
@@ -14,6 +15,8 @@ namespace
 {
 
 constexpr std::int64_t Grain = 256;
+constexpr double SpeckInWidths = 3.0;
+constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double MostCells = 1 << 28; ///< across the cloud
 
 /** A cell of the grid, or the node at its lower corner. */
@@ -21,13 +24,29 @@ struct Cell
 {
   std::int32_t X, Y, Z;
 
+  /** Morton's order: that of the axis whose numbers differ in the highest bit. Cells that follow
+   * each other are near each other, and so are their samples. */
   bool operator<(const Cell& other) const
   {
-    return std::tie(this->Z, this->Y, this->X) < std::tie(other.Z, other.Y, other.X);
+    const std::uint32_t mine[3] = { Shifted(this->X), Shifted(this->Y), Shifted(this->Z) };
+    const std::uint32_t theirs[3] = { Shifted(other.X), Shifted(other.Y), Shifted(other.Z) };
+    std::size_t axis = 2;
+    for (std::size_t k = 2; k-- > 0;)
+    {
+      const std::uint32_t highest = mine[axis] ^ theirs[axis];
+      const std::uint32_t bits = mine[k] ^ theirs[k];
+      axis = highest < bits && highest < (highest ^ bits) ? k : axis;
+    }
+    return mine[axis] < theirs[axis];
   }
   bool operator==(const Cell& other) const
   {
     return this->X == other.X && this->Y == other.Y && this->Z == other.Z;
+  }
+  /** As if the smallest number were 0. */
+  static std::uint32_t Shifted(std::int32_t a)
+  {
+    return static_cast<std::uint32_t>(a) ^ 0x80000000u;
   }
   Cell Corner(int corner) const
   {
@@ -103,6 +122,25 @@ void SortUnique(std::vector<Cell>& cells, Executor& executor)
     cells, [](const Cell& a, const Cell& b) { return a < b; }, executor);
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
 }
+
+/** The box around a piece of the mesh, and the largest width in it. */
+struct PieceBox
+{
+  Real3 Lower{ Infinity, Infinity, Infinity };
+  Real3 Upper{ -Infinity, -Infinity, -Infinity };
+  double Width = 0.0;
+
+  void Add(const double* point, double width)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      this->Lower[axis] = std::min(this->Lower[axis], point[axis]);
+      this->Upper[axis] = std::max(this->Upper[axis], point[axis]);
+    }
+    this->Width = std::max(this->Width, width);
+  }
+  double Diagonal() const { return Length(Difference(this->Upper, this->Lower)); }
+};
 
 /** All steps and what they share. */
 class Meshing
@@ -332,6 +370,7 @@ private:
     this->Mesh.Points.resize(3 * static_cast<std::size_t>(count));
     this->Mesh.Normals.resize(3 * static_cast<std::size_t>(count));
     this->Supported.resize(static_cast<std::size_t>(count));
+    this->WidthOfVertex.resize(static_cast<std::size_t>(count));
     this->Threads.For(count, Grain, [this](std::int64_t begin, std::int64_t end) {
       MovingLeastSquares::Neighbourhood near;
       for (std::int64_t i = begin; i < end && !this->Watch.Aborted(); ++i)
@@ -383,6 +422,7 @@ private:
     std::copy_n(x.begin(), 3, this->Mesh.Points.begin() + static_cast<std::ptrdiff_t>(3 * vertex));
     std::copy_n(
       normal.begin(), 3, this->Mesh.Normals.begin() + static_cast<std::ptrdiff_t>(3 * vertex));
+    this->WidthOfVertex[vertex] = f.Width;
     this->Supported[vertex] =
       f.Where == Support::Defined || f.Where == Support::Contradicting ? 1 : 0;
   }
@@ -409,7 +449,57 @@ private:
         }
       }
     }
+    this->DropSpecks();
     this->DropUnusedVertices();
+  }
+
+  void DropSpecks()
+  {
+    const std::size_t count = this->Supported.size();
+    const std::vector<std::int32_t>& corners = this->Mesh.Triangles;
+    DisjointSets pieces(static_cast<std::int32_t>(count));
+    for (std::size_t i = 0; i < corners.size(); i += 3)
+    {
+      pieces.Unite(corners[i], corners[i + 1]);
+      pieces.Unite(corners[i], corners[i + 2]);
+    }
+    std::vector<std::size_t> pieceOf(corners.size() / 3);
+    std::vector<std::size_t> numbers(count, 0); // of pieces, from 1 on
+    std::vector<PieceBox> boxes;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      if (i % 3 == 0)
+      {
+        std::size_t& number = numbers[static_cast<std::size_t>(pieces.Find(corners[i]))];
+        if (number == 0)
+        {
+          boxes.emplace_back();
+          number = boxes.size();
+        }
+        pieceOf[i / 3] = number - 1;
+      }
+      const std::size_t vertex = static_cast<std::size_t>(corners[i]);
+      boxes[pieceOf[i / 3]].Add(this->Mesh.Points.data() + 3 * vertex, this->WidthOfVertex[vertex]);
+    }
+    const auto longest = std::max_element(boxes.begin(), boxes.end(),
+      [](const PieceBox& a, const PieceBox& b) { return a.Diagonal() < b.Diagonal(); });
+    const auto isSpeck = [&](const PieceBox& box) {
+      return &box != &*longest && box.Diagonal() < SpeckInWidths * box.Width;
+    };
+    this->Mesh.NumberOfSpecks = std::count_if(boxes.begin(), boxes.end(), isSpeck);
+    if (this->Mesh.NumberOfSpecks == 0)
+    {
+      return;
+    }
+    std::vector<std::int32_t> kept;
+    for (std::size_t i = 0; i < this->Mesh.Triangles.size(); ++i)
+    {
+      if (!isSpeck(boxes[pieceOf[i / 3]]))
+      {
+        kept.push_back(this->Mesh.Triangles[i]);
+      }
+    }
+    this->Mesh.Triangles.swap(kept);
   }
 
   void DropUnusedVertices()
@@ -478,6 +568,7 @@ private:
   std::vector<std::int32_t> Vertices;
   std::vector<std::int32_t> Ends; ///< nodes of the edge of each vertex
   std::vector<std::uint8_t> Supported;
+  std::vector<double> WidthOfVertex;
   PointSurfaceMesh Mesh;
 };
 

@@ -203,6 +203,23 @@ int PointTree::Nearest(const Real3& x, int k, Neighbour* found) const
   return count;
 }
 
+std::vector<double> PointTree::LargestOfNodes(const double* values) const
+{
+  std::vector<double> largest(this->Boxes.size(), 0.0);
+  for (std::size_t node = this->Boxes.size(); node-- > 1;)
+  {
+    if (node < this->FirstLeaf)
+    {
+      largest[node] = std::max(largest[2 * node], largest[2 * node + 1]);
+      continue;
+    }
+    const std::int64_t leaf = static_cast<std::int64_t>(node - this->FirstLeaf);
+    largest[node] =
+      *std::max_element(values + this->StartOf(leaf), values + this->StartOf(leaf + 1));
+  }
+  return largest;
+}
+
 double SpacingOf(const PointTree& tree, Executor& executor)
 {
   constexpr int neighbours = 8;

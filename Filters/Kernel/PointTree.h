@@ -59,11 +59,11 @@ public:
   Real3 Upper() const { return this->Boxes.empty() ? Real3{} : this->Boxes[1].Upper; }
 
   /**
-   * Call visit(begin, end) for the ranges of points, in their order, that may hold a point for
-   * which near(lower, upper) is true of every box around it.
+   * Call visit(leaf, begin, end) for the leaves, in the order of their points, for which, as for
+   * all nodes above them, near(node, lower, upper) is true.
    */
   template <class Near, class Visit>
-  void ForRanges(const Near& near, const Visit& visit) const
+  void ForLeaves(const Near& near, const Visit& visit) const
   {
     if (this->Boxes.empty())
     {
@@ -75,20 +75,40 @@ public:
     while (depth > 0)
     {
       const std::size_t node = stack[--depth];
-      if (!near(this->Boxes[node].Lower, this->Boxes[node].Upper))
+      if (!near(node, this->Boxes[node].Lower, this->Boxes[node].Upper))
       {
         continue;
       }
       if (node >= this->FirstLeaf)
       {
         const std::int64_t leaf = static_cast<std::int64_t>(node - this->FirstLeaf);
-        visit(this->StartOf(leaf), this->StartOf(leaf + 1));
+        visit(node, this->StartOf(leaf), this->StartOf(leaf + 1));
         continue;
       }
       stack[depth++] = 2 * node + 1;
       stack[depth++] = 2 * node;
     }
   }
+
+  /**
+   * Call visit(begin, end) for the ranges of points, in their order, that may hold a point for
+   * which near(lower, upper) is true of every box around it.
+   */
+  template <class Near, class Visit>
+  void ForRanges(const Near& near, const Visit& visit) const
+  {
+    this->ForLeaves(
+      [&near](std::size_t, const Real3& lower, const Real3& upper) { return near(lower, upper); },
+      [&visit](std::size_t, std::int32_t begin, std::int32_t end) { visit(begin, end); });
+  }
+
+  /** The box around the points of a node. */
+  const Real3& LowerOf(std::size_t node) const { return this->Boxes[node].Lower; }
+  const Real3& UpperOf(std::size_t node) const { return this->Boxes[node].Upper; }
+
+  /** For each node, by its number, the largest of its points' values, which are in the order of the
+   * tree. */
+  std::vector<double> LargestOfNodes(const double* values) const;
 
   /** Call visit(begin, end) for the ranges of points that may be nearer to x than the radius. */
   template <class Visit>

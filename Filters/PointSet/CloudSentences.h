@@ -17,6 +17,9 @@ namespace sbvtk
 /** The value of vtkPointSetSurfaceFilter::StatusType for it. */
 int StatusOf(sb::CloudStatus status);
 
+/** How much of it is thinner than its width allows, as the beginning of a sentence. */
+std::string ThinPartsOf(const sb::CloudSurface& cloud);
+
 /** Why a cloud has no surface; empty if it has one. */
 std::string RefusalOf(const sb::CloudSurface& cloud, std::int64_t numberOfPoints);
 

@@ -39,7 +39,7 @@ namespace
 {
 
 constexpr double LargestShare = 0.2; ///< of doubtful or invalid points that goes without a warning
-constexpr double CellInSpacings = 2.0;
+constexpr double LargestThinShare = 0.001; ///< the same of points on walls that are too thin
 
 vtkSmartPointer<vtkDoubleArray> NewDoubles(const char* name, int components, vtkIdType count)
 {
@@ -56,6 +56,21 @@ vtkSmartPointer<vtkUnsignedCharArray> NewBytes(const char* name, vtkIdType count
   array->SetName(name);
   array->SetNumberOfTuples(count);
   return array;
+}
+
+/** What a closed mesh encloses; negative if it is inside out. */
+double VolumeOf(const sb::PointSurfaceMesh& mesh)
+{
+  double sum = 0.0;
+  const auto corner = [&mesh](std::size_t i) {
+    const double* const p = mesh.Points.data() + 3 * std::int64_t(mesh.Triangles[i]);
+    return sb::Real3{ p[0] - mesh.Points[0], p[1] - mesh.Points[1], p[2] - mesh.Points[2] };
+  };
+  for (std::size_t i = 0; i < mesh.Triangles.size(); i += 3)
+  {
+    sum += sb::Dot(corner(i), sb::Cross(corner(i + 1), corner(i + 2)));
+  }
+  return sum / 6.0;
 }
 
 /** Mean and Gauss curvature beside the principal ones. */
@@ -130,7 +145,10 @@ private:
   vtkIdType NumberOfValid = 0;
   double ResidualRMS = 0.0;
   double DoubtfulShare = 0.0;
+  double ContradictingShare = 0.0;
   vtkIdType NumberOfBorderEdges = 0;
+  vtkIdType NumberOfSpecks = 0;
+  bool IsInsideOut = false;
 };
 
 //------------------------------------------------------------------------------
@@ -260,12 +278,16 @@ void vtkPointSetSurfaceFilter::Run::Sample()
   this->MarkDoubtful(arrays.Normal);
   double squares = 0.0;
   vtkIdType reached = 0;
+  vtkIdType contradicting = 0;
   for (vtkIdType i = 0; i < count; ++i)
   {
     this->NumberOfValid += arrays.Validity[i] == 0 ? 1 : 0;
+    contradicting += arrays.Validity[i] == 3 ? 1 : 0;
     reached += std::isnan(arrays.Residual[i]) ? 0 : 1;
     squares += std::isnan(arrays.Residual[i]) ? 0.0 : arrays.Residual[i] * arrays.Residual[i];
   }
+  this->ContradictingShare =
+    static_cast<double>(contradicting) / static_cast<double>(std::max<vtkIdType>(1, count));
   this->ResidualRMS = reached > 0 ? std::sqrt(squares / static_cast<double>(reached)) : 0.0;
   vtkPointData* output = this->Points->GetPointData();
   output->SetNormals(normals);
@@ -333,8 +355,9 @@ void vtkPointSetSurfaceFilter::Run::BuildPoints()
 //------------------------------------------------------------------------------
 void vtkPointSetSurfaceFilter::Run::BuildMesh()
 {
-  const double cell =
-    this->Filter->CellSize > 0.0 ? this->Filter->CellSize : CellInSpacings * this->Cloud.Spacing;
+  const double cell = this->Filter->CellSize > 0.0
+    ? this->Filter->CellSize
+    : sb::CellSizeFor(*this->Cloud.Surface, this->Cloud.Spacing);
   sbvtk::KernelMonitor monitor(this->Filter, 0.7, 0.95);
   const sb::PointSurfaceMesh mesh =
     sb::MeshPointSurface(*this->Cloud.Surface, cell, this->Executor, monitor);
@@ -349,6 +372,8 @@ void vtkPointSetSurfaceFilter::Run::BuildMesh()
         " are too small for the extent of Input; choose a larger CellSize, or remove outliers." };
   }
   this->NumberOfBorderEdges = static_cast<vtkIdType>(mesh.NumberOfBorderEdges);
+  this->NumberOfSpecks = static_cast<vtkIdType>(mesh.NumberOfSpecks);
+  this->IsInsideOut = mesh.NumberOfBorderEdges == 0 && VolumeOf(mesh) < 0.0;
   const vtkIdType count = static_cast<vtkIdType>(mesh.Points.size() / 3);
   const auto coordinates = NewDoubles("Points", 3, count);
   std::copy(mesh.Points.begin(), mesh.Points.end(), coordinates->GetPointer(0));
@@ -411,6 +436,25 @@ void vtkPointSetSurfaceFilter::Run::Judge()
         " points of Input have a normal that is zero or not finite, and were left out of the "
         "surface; give them one, or remove all normals to have them estimated.");
   }
+  if (this->Cloud.ThinShare > LargestThinShare)
+  {
+    this->Warn(THIN_PARTS,
+      sbvtk::ThinPartsOf(this->Cloud) +
+        "; choose a smaller Width, or give Input more points there.");
+  }
+  if (this->IsInsideOut)
+  {
+    this->Warn(DOUBTFUL_NORMALS,
+      "The normals point into the solid, so that the mesh is inside out; switch FlipNormals.");
+  }
+  if (this->ContradictingShare > LargestThinShare && !(this->Cloud.ThinShare > LargestThinShare))
+  {
+    this->Warn(DOUBTFUL_NORMALS,
+      Share(this->ContradictingShare) +
+        " points have normals that contradict those around them (Validity is 3 there), as if parts "
+        "of Input were turned over; give Input normals that agree on a side, or none, to have them "
+        "estimated.");
+  }
   if (this->DoubtfulShare > LargestShare)
   {
     this->Warn(DOUBTFUL_NORMALS,
@@ -470,6 +514,9 @@ void vtkPointSetSurfaceFilter::Run::AddFields(int status, const std::string& mes
   addCount("NumberWithoutNormal", this->Cloud.NumberWithoutNormal);
   addInt("NormalsEstimated", this->Cloud.Estimated ? 1 : 0);
   addCount("NumberOfBorderEdges", this->NumberOfBorderEdges);
+  addCount("NumberOfSpecks", this->NumberOfSpecks);
+  addDouble("ThinShare", this->Cloud.ThinShare);
+  addDouble("ThinWall", this->Cloud.ThinWall);
   sbvtk::AddStageFields(this->Points, this->Times);
 }
 

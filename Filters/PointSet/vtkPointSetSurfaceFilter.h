@@ -30,7 +30,10 @@
  * Field data of output 0: `Status` (int, StatusType), `Message`, `Spacing` (the typical distance of
  * neighbours), `Width` (h), `ResidualRMS`, `DoubtfulShare`, `NumberOfValidPoints`,
  * `NumberOfDuplicates`, `NumberOfBadPoints` (not finite), `NumberWithoutNormal`, `NormalsEstimated`
- * (0 or 1), `NumberOfBorderEdges` of the mesh (0: watertight), `StageNames` and `StageSeconds`.
+ * (0 or 1), `NumberOfBorderEdges` of the mesh (0: watertight), `NumberOfSpecks` (pieces of the mesh
+ * that were left out, as outliers make them: smaller than three widths), `ThinShare` (of the
+ * points, on walls or beside gaps thinner than the width) and `ThinWall` (the median of their
+ * thickness), `StageNames` and `StageSeconds`.
  *
  * An input that cannot be used gives one error message and empty outputs. The same points in any
  * order give the same values whatever NumberOfThreads is.
@@ -54,8 +57,9 @@ public:
   {
     OK = 0,
     BAD_NORMALS = 1, ///< warning: points without a usable normal were left out, or none was usable
-    DOUBTFUL_NORMALS = 2, ///< warning: more than a fifth of the normals may be wrong
+    DOUBTFUL_NORMALS = 2, ///< warning: many normals may be wrong, or contradict each other
     INVALID_POINTS = 3, ///< warning: more than a fifth of the points are not on the surface
+    THIN_PARTS = 4, ///< warning: some walls or gaps are thinner than the width
     TOO_LARGE = 8,
     ABORTED = 9,
     BAD_REQUEST = 10,
@@ -63,7 +67,9 @@ public:
     OUT_OF_MEMORY = 22,
     TOO_FEW_POINTS = 30, ///< error: less than six different points
     NO_PLANE = 31, ///< error: all points lie on lines
-    TOO_FINE = 32 ///< error: the mesh would have too many cells
+    TOO_FINE = 32, ///< error: the mesh would have too many cells
+    THIN_WALL =
+      38 ///< error: more than a fifth of the points lie on walls or gaps that are too thin
   };
 
   ///@{
@@ -75,7 +81,8 @@ public:
   ///@}
 
   ///@{
-  /** The scale factor h, in the unit of the points; 0, the default, takes three spacings. */
+  /** The scale factor h, in the unit of the points; 0, the default, takes three spacings, more
+   * where the cloud is sparser than elsewhere, and less where a wall is thin. */
   vtkSetMacro(Width, double);
   vtkGetMacro(Width, double);
   ///@}

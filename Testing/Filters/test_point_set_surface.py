@@ -33,7 +33,7 @@ def test_a_torus_is_found_within_its_noise(count, noise):
     for found in (result.points, result.mesh.points):
         off = clouds.distance_to_torus(found) / spacing
         assert np.sqrt(np.mean(off**2)) < 0.02 + 0.18 * noise
-        assert abs(np.mean(off)) < 0.02
+        assert abs(np.mean(off)) < 0.005 + 0.04 * noise  # noise of sigma on a curvature k: about -k sigma^2
     assert measures.is_closed(result.mesh)
     euler = len(result.mesh.points) - len(result.mesh.triangles) / 2
     assert euler == 0

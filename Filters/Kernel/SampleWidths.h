@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SampleWidths.h
+ * @brief How wide the weights of a cloud's samples are: three spacings, more where the cloud is
+ * sparse, and less where a wall is thin.
+ *
+ * One width for all does for scans of about one density. Where the spacing varies more than chance
+ * makes it vary, samples in sparse parts take two of their own spacings if that is more, and weigh
+ * as much as the area around them; else they would lose their neighbours, and the surface would
+ * break up. What is dense keeps the common width: overlapping scans are dense, too.
+ *
+ * Sheets of a wall, or of a gap, that is thinner than the width run into each other: measured on
+ * concentric spheres, they are off by 0.03 spacings where the width is the thickness, and cease to
+ * be two at 0.8 of it. Where samples that face the other way lie opposite and nearer, the width is
+ * their distance, but at least two spacings, without which there are too few neighbours. What is
+ * thinner than that, or than a width that was asked for, is reported.
+ */
+#ifndef sb_SampleWidths_h
+#define sb_SampleWidths_h
+
+#include "PointTree.h"
+
+#include <vector>
+
+namespace sb
+{
+
+struct SampleWidths
+{
+  double Typical = 0.0;
+  /** Of each sample in the order of the tree, and the weight for its area; empty if all have the
+   * same. */
+  std::vector<double> Widths;
+  std::vector<double> Areas;
+  double ThinShare = 0.0; ///< of the samples, on walls thinner than their width
+  double ThinWall = 0.0; ///< the median thickness of those walls
+};
+
+/**
+ * @param normals unit vectors, three doubles for each point of the tree's input
+ * @param spacing of the tree. @param width that was asked for; 0 if none was, and then `each` says
+ * whether samples may have their own.
+ */
+SampleWidths WidthsOfSamples(const PointTree& tree, const double* normals, double spacing,
+  double width, bool each, Executor& executor);
+
+} // namespace sb
+
+#endif

@@ -1,0 +1,304 @@
+# SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""How clouds fail, one case a test: by what sign it is seen, and what the filters do about it."""
+
+import numpy as np
+import pytest
+from vtkmodules.vtkCommonDataModel import vtkPlane
+
+import clouds
+import measures
+from booleans import arrays_of, cells_of, heard_from, points_of
+from clouds import implicit, surface_of
+
+OK, DOUBTFUL, THIN_PARTS, THIN_WALL = 0, 2, 4, 38
+DEFINED, FAR, BORDER, CONTRADICTING = 0, 1, 2, 3
+
+
+def section(points, normals, origin, normal, **settings):
+    from surfacebooleans.vtk import vtkPointSetIntersectionFilter
+
+    tested, plane = vtkPointSetIntersectionFilter(), vtkPlane()
+    plane.SetOrigin(origin)
+    plane.SetNormal(normal)
+    tested.SetPlane(plane)
+    tested.SetInputDataObject(0, clouds.cloud(points, normals))
+    for name, value in settings.items():
+        getattr(tested, "Set" + name)(value)
+    errors, _ = heard_from(tested)
+    assert not errors
+    return tested.GetOutput()
+
+
+def random_sphere(count, rng, radius=1.0):
+    normals = rng.normal(size=(count, 3))
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    return radius * normals, normals
+
+
+# ---- noise and outliers ------------------------------------------------------------------------
+
+
+def test_noise_is_reported_and_a_larger_width_averages_it():
+    rng = np.random.default_rng(1)
+    points, normals = clouds.sphere(20000)
+    spacing = np.sqrt(4 * np.pi / 20000)
+    noisy = points + 0.5 * spacing * rng.normal(size=(20000, 1)) * normals
+    errors = []
+    for widths in (3, 6):
+        result = surface_of(noisy, normals, Width=widths * spacing, ComputeCurvatures=False)
+        assert result.number("ResidualRMS") == pytest.approx(0.5 * spacing, rel=0.05)
+        errors.append(np.sqrt(np.mean((np.linalg.norm(result.points, axis=1) - 1) ** 2)))
+        # (1 - r^2 / R^2)^4 up to R = 2.2 h leaves 5 / (3 sqrt(pi)) s / R of the noise
+        predicted = 0.5 * spacing * 5 / (3 * np.sqrt(np.pi) * 2.2 * widths)
+        assert errors[-1] == pytest.approx(predicted, rel=0.25)
+
+
+def test_specks_around_outliers_are_left_out_and_counted():
+    rng = np.random.default_rng(2)
+    points, normals = clouds.sphere(8000)
+    spacing = np.sqrt(4 * np.pi / 8000)
+    places = 3 * rng.normal(size=(12, 3))
+    places *= (3 + rng.uniform(size=(12, 1))) / np.linalg.norm(places, axis=1)[:, None]
+    scraps = np.concatenate([p + 0.8 * spacing * rng.normal(size=(25, 3)) for p in places])
+    result = surface_of(
+        np.concatenate([points, scraps]),
+        np.concatenate([normals, np.tile([0.0, 0.0, 1.0], (len(scraps), 1))]),
+        GenerateSurface=True,
+    )
+    assert result.number("NumberOfSpecks") >= 8
+    assert measures.is_closed(result.mesh) and result.number("NumberOfBorderEdges") == 0
+    assert np.linalg.norm(result.mesh.points, axis=1).max() < 1.01
+    assert measures.volume(result.mesh) == pytest.approx(4 * np.pi / 3, rel=2e-3)
+
+
+def test_small_bodies_are_no_specks():
+    points, normals = clouds.sphere(8000)
+    spacing = np.sqrt(4 * np.pi / 8000)
+    small, outwards = clouds.sphere(110)  # 6 spacings wide: a diameter of two widths
+    pearl = 3 * spacing * small
+    result = surface_of(
+        np.concatenate([points, pearl + [3, 0, 0]]), np.concatenate([normals, outwards]), GenerateSurface=True
+    )
+    assert result.number("NumberOfSpecks") == 0 and measures.is_closed(result.mesh)
+    assert (result.mesh.points[:, 0] > 2.5).any()
+
+
+# ---- overlapping scans that do not fit -----------------------------------------------------------
+
+
+def test_the_residual_shows_where_scans_do_not_fit():
+    rng = np.random.default_rng(3)
+    (lower, n0), (upper, n1) = random_sphere(12000, rng), random_sphere(12000, rng)
+    lower, n0 = lower[lower[:, 2] < 0.3], n0[lower[:, 2] < 0.3]
+    upper, n1 = upper[upper[:, 2] > -0.3], n1[upper[:, 2] > -0.3]
+    spacing = np.sqrt(4 * np.pi / 12000)
+    apart = 0.8 * spacing
+    points = np.concatenate([lower, (1 + apart) * upper])
+    result = surface_of(points, np.concatenate([n0, n1]), Width=5 * spacing, ComputeCurvatures=False)
+    height, residual = np.abs(points[:, 2]), np.abs(result.arrays["Residual"])
+    # In the overlap the surface lies half-way; away from it, on the one scan there is.
+    assert np.median(residual[height < 0.1]) == pytest.approx(apart / 2, rel=0.15)
+    assert np.median(residual[height > 0.7]) < 0.02 * apart
+    assert 0.1 * spacing < result.number("ResidualRMS") < 0.5 * spacing
+
+
+# ---- open scans and holes ------------------------------------------------------------------------
+
+
+def test_the_ends_of_an_open_section_are_listed():
+    rng = np.random.default_rng(4)
+    points, normals = clouds.sphere(20000)
+    kept = np.arccos(points[:, 0]) > 0.5  # a hole about the x axis
+    curves = section(points[kept], normals[kept], (0, 0, 0), (0, 0, 1))
+    cells, x = arrays_of(curves.GetCellData()), points_of(curves)
+    assert cells["Closed"].tolist() == [0]
+    offsets, ids = cells_of(curves.GetLines())
+    spacing = np.sqrt(4 * np.pi / 20000)
+    for end in (x[ids[0]], x[ids[-1]]):
+        assert np.arctan2(abs(end[1]), end[0]) == pytest.approx(0.5, abs=2.5 * spacing)
+    result = surface_of(points[kept], normals[kept], GenerateSurface=True)
+    assert result.number("NumberOfBorderEdges") > 0
+    assert (result.arrays["Validity"][np.arccos(points[kept][:, 0]) > 0.7] == DEFINED).all()
+    beyond = implicit(points[kept], normals[kept])
+    assert not beyond.IsDefined([1, 0, 0]) and rng is not None
+
+
+# ---- uneven sampling -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("ratio", [1, 4, 10])
+def test_density_may_vary_tenfold(ratio):
+    rng = np.random.default_rng(5)
+    points, normals = clouds.torus(60000, rng)
+    cosine = points[:, 0] / np.hypot(points[:, 0], points[:, 1])
+    kept = rng.uniform(size=len(points)) < ratio ** (0.5 * (cosine - 1)) * 0.4
+    points, normals, cosine = points[kept], normals[kept], cosine[kept]
+    result = surface_of(points, normals, GenerateSurface=True)
+    assert result.status == OK and result.number("NumberOfBorderEdges") == 0 and measures.is_closed(result.mesh)
+    assert (result.arrays["Validity"] == DEFINED).all()
+    spacing = result.number("Spacing")
+    off = clouds.distance_to_torus(result.points)
+    assert np.sqrt(np.mean(off[cosine > 0] ** 2)) < 0.01 * spacing
+    assert np.sqrt(np.mean(off[cosine < 0] ** 2)) < 0.02 * spacing
+    assert measures.volume(result.mesh) == pytest.approx(2 * np.pi**2 * 0.16, rel=5e-3)
+    curves = section(points, normals, (0, 0, 0), (0, 0, 1))
+    assert arrays_of(curves.GetCellData())["Closed"].tolist() == [1, 1]
+
+
+# ---- thin walls ----------------------------------------------------------------------------------
+
+
+def hollow_ball(thickness, count=8000):
+    """Two concentric spheres, the inner one facing inwards; the thickness in spacings."""
+    points, normals = clouds.sphere(count)
+    radius = 1 - thickness * np.sqrt(4 * np.pi / count)
+    inner, outwards = clouds.sphere(int(count * radius**2))
+    return np.concatenate([points, radius * inner]), np.concatenate([normals, -outwards]), radius
+
+
+@pytest.mark.parametrize("thickness", [6, 4, 3, 2.5])
+def test_walls_down_to_two_and_a_half_spacings_keep_their_two_sides(thickness):
+    points, normals, radius = hollow_ball(thickness)
+    result = surface_of(points, normals, GenerateSurface=True)
+    assert result.status == OK and measures.is_closed(result.mesh)
+    wanted = np.where(np.linalg.norm(points, axis=1) > (1 + radius) / 2, 1, radius)
+    off = np.abs(np.linalg.norm(result.points, axis=1) - wanted)
+    assert off.max() < 0.05 * result.number("Spacing")
+    shell = 4 * np.pi / 3 * (1 - radius**3)
+    assert measures.volume(result.mesh) == pytest.approx(shell, rel=0.01)
+
+
+def test_walls_that_are_too_thin_are_refused_with_their_thickness():
+    points, normals, _ = hollow_ball(1.5)
+    result = surface_of(points, normals)
+    assert result.status == THIN_WALL and result.is_empty and len(result.errors) == 1
+    assert result.number("ThinWall") == pytest.approx(1.5 * np.sqrt(4 * np.pi / 8000), rel=0.1)
+    assert "Width" in result.errors[0] and "walls" in result.errors[0]
+    points, normals, _ = hollow_ball(4)
+    spacing = np.sqrt(4 * np.pi / 8000)
+    assert surface_of(points, normals, Width=3.5 * spacing).status == OK
+    assert surface_of(points, normals, Width=4.5 * spacing).status == THIN_WALL
+
+
+def test_a_thin_part_is_told_and_the_rest_goes_on():
+    points, normals = clouds.sphere(8000)
+    spacing = np.sqrt(4 * np.pi / 8000)
+    cap = points[:, 2] > 0.8  # doubled inwards by a wall of one spacing and a half
+    both = np.concatenate([points, (1 - 1.5 * spacing) * points[cap]])
+    result = surface_of(both, np.concatenate([normals, -normals[cap]]))
+    assert result.status == THIN_PARTS and not result.errors and len(result.warnings) >= 1
+    assert 0.05 < result.number("ThinShare") < 0.2
+
+
+# ---- sharp edges ---------------------------------------------------------------------------------
+
+
+def test_edges_are_rounded_over_about_a_width():
+    rng = np.random.default_rng(11)
+    count = 12000
+    face = rng.integers(0, 6, count)
+    each, axis, side = np.arange(count), face % 3, np.where(face < 3, -1.0, 1.0)
+    points, normals = np.zeros((count, 3)), np.zeros((count, 3))
+    normals[each, axis] = side
+    points[each, axis] = 0.5 * side
+    points[each, (axis + 1) % 3], points[each, (axis + 2) % 3] = rng.uniform(-0.5, 0.5, (2, count))
+    result = surface_of(points, normals)
+    width = result.number("Width")
+    from_edge = np.sort(0.5 - np.abs(points), axis=1)[:, 1]
+    residual = np.abs(result.arrays["Residual"])
+    assert residual[from_edge > 2.2 * width].max() < 1e-9  # flat: no difference at all
+    assert residual[from_edge < 0.3 * width].mean() > 0.05 * width  # the edge itself is cut off
+    assert np.nanmax(residual) < width
+
+
+# ---- normals that are wrong ----------------------------------------------------------------------
+
+
+def test_an_inside_out_cloud_is_told():
+    points, normals = clouds.sphere(4000)
+    result = surface_of(points, -normals, GenerateSurface=True)
+    assert result.status == DOUBTFUL and "inside out" in result.warnings[0] and "FlipNormals" in result.warnings[0]
+    turned = surface_of(points, -normals, GenerateSurface=True, FlipNormals=True)
+    assert turned.status == OK and measures.volume(turned.mesh) > 0
+
+
+def test_a_half_that_is_turned_over_is_told():
+    points, normals = clouds.sphere(20000)
+    result = surface_of(points, np.where(points[:, :1] > 0, 1, -1) * normals)
+    assert result.status == DOUBTFUL and "turned over" in result.warnings[0]
+    marked = np.isin(result.arrays["Validity"], (BORDER, CONTRADICTING)) | (result.arrays["DoubtfulNormal"] == 1)
+    assert marked.any() and np.abs(points[marked, 0]).max() < 2 * result.number("Width")
+
+
+# ---- tangential contact --------------------------------------------------------------------------
+
+
+def test_a_plane_that_touches_gives_a_small_loop_or_none():
+    points, normals = clouds.sphere(20000)
+    spacing = np.sqrt(4 * np.pi / 20000)
+    touching = section(points, normals, (0, 0, 1), (0, 0, 1))
+    x = points_of(touching)
+    assert touching.GetNumberOfPoints() == 0 or np.hypot(x[:, 0], x[:, 1]).max() < 2 * spacing
+    assert section(points, normals, (0, 0, 1.01), (0, 0, 1)).GetNumberOfPoints() == 0
+    # The one line that a tangent line meets it in is found, or not, but never twice the same.
+    surface = implicit(points, normals)
+    assert surface.IntersectWithLine([-1, 0, 1 - 1e-3], [1, 0, 1 - 1e-3], None) == 2
+    assert surface.IntersectWithLine([-1, 0, 1 + 1e-3], [1, 0, 1 + 1e-3], None) == 0
+
+
+# ---- far starts, large coordinates, degenerate clouds --------------------------------------------
+
+
+@pytest.mark.parametrize("definition", [0, 1])
+def test_far_places_are_invalid_and_nothing_is_nan(definition):
+    surface = implicit(*clouds.sphere(3000), Definition=definition)
+    width = surface.GetActualWidth()
+    for reach in (1 + 2.5 * width, 3, 1e3, 1e150, 0.0):
+        found = [7.0] * 3
+        assert not surface.Project([reach, 0, 0], found) and found == [reach, 0, 0]
+        assert surface.GetValidity([reach, 0, 0]) == FAR
+        assert np.isfinite(surface.EvaluateFunction([reach, 0, 0]))
+        slope = [0.0] * 3
+        surface.EvaluateGradient([reach, 0, 0], slope)
+        assert np.isfinite(slope).all()
+
+
+@pytest.mark.parametrize("shift", [1e6, -3e7])
+def test_large_coordinates_cost_their_last_digits_only(shift):
+    points, normals = random_sphere(5000, np.random.default_rng(6))
+    here = surface_of(points, normals, GenerateSurface=True)
+    there = surface_of(points + shift, normals, GenerateSurface=True)
+    digits = 16 * np.spacing(abs(shift))
+    assert np.abs(np.linalg.norm(there.points - shift, axis=1) - 1).max() < digits
+    assert np.abs(there.points - shift - here.points).max() < 100 * digits
+    assert measures.is_closed(there.mesh)
+    curves = section(points + shift, normals, (shift, shift, shift + 0.6), (0, 0, 1), ChordError=1e-4)
+    x = points_of(curves) - shift
+    assert arrays_of(curves.GetCellData())["Closed"].tolist() == [1]
+    assert np.hypot(x[:, 0], x[:, 1]) == pytest.approx(0.8, abs=1e-6)
+
+
+@pytest.mark.parametrize("name", ["line", "two lines", "copies", "bad"])
+def test_degenerate_clouds_are_refused_in_one_sentence(name):
+    t = np.linspace(0, 1, 200)[:, None]
+    line = t * [[1.0, 2.0, 3.0]]
+    cloud, wanted = {
+        "line": (line, "lines"),
+        "two lines": (np.concatenate([line, line + [100, 0, 0]]), "lines"),
+        "copies": (np.repeat(np.eye(3), 50, axis=0), "duplicates"),
+        "bad": (np.full((40, 3), np.nan), "not finite"),
+    }[name]
+    result = surface_of(cloud, GenerateSurface=True)
+    assert result.is_empty and result.status >= 30 and len(result.errors) == 1 and wanted in result.errors[0]
+
+
+def test_duplicates_and_nan_change_nothing():
+    points, normals = random_sphere(4000, np.random.default_rng(7))
+    clean = surface_of(points, normals, GenerateSurface=True)
+    more = np.concatenate([points, points[:500], np.full((9, 3), np.nan)])
+    dirty = surface_of(more, np.concatenate([normals, normals[:500], np.tile([0.0, 0, 1], (9, 1))]), GenerateSurface=True)
+    assert dirty.number("NumberOfDuplicates") == 500 and dirty.number("NumberOfBadPoints") == 9
+    assert np.array_equal(dirty.mesh.points, clean.mesh.points)
+    assert np.array_equal(dirty.mesh.triangles, clean.mesh.triangles)
+    assert np.array_equal(dirty.points[:4000], clean.points)
