@@ -1,0 +1,271 @@
+# SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reads and writes meshes and clouds: by VTK where it knows the format, by meshio (if it is installed) where not.
+
+Which formats keep what: .vtk and .vtp keep all digits, arrays, lines and points; .stl and .ply hold surfaces (.ply clouds,
+too) in 32-bit numbers, without arrays; .obj surfaces and lines; .vti images.
+"""
+
+import contextlib
+import os
+import pathlib
+import tempfile
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkIOGeometry import vtkBYUReader, vtkGLTFReader, vtkOBJReader, vtkSTLReader, vtkSTLWriter
+from vtkmodules.vtkIOLegacy import vtkDataSetReader, vtkDataSetWriter
+from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
+from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataReader,
+    vtkXMLImageDataWriter,
+    vtkXMLMultiBlockDataReader,
+    vtkXMLPolyDataReader,
+    vtkXMLPolyDataWriter,
+    vtkXMLRectilinearGridReader,
+    vtkXMLStructuredGridReader,
+    vtkXMLUnstructuredGridReader,
+)
+
+from surfacebooleans.appended_xml import has_appended_data, inlined
+from surfacebooleans.errors import FileError, SurfaceBooleansError
+from surfacebooleans.meshes import as_data, points_of, polydata
+from surfacebooleans.running import update
+
+READERS = {
+    ".g": vtkBYUReader,
+    ".glb": vtkGLTFReader,
+    ".gltf": vtkGLTFReader,
+    ".obj": vtkOBJReader,
+    ".ply": vtkPLYReader,
+    ".stl": vtkSTLReader,
+    ".vti": vtkXMLImageDataReader,
+    ".vtk": vtkDataSetReader,
+    ".vtm": vtkXMLMultiBlockDataReader,
+    ".vtp": vtkXMLPolyDataReader,
+    ".vtr": vtkXMLRectilinearGridReader,
+    ".vts": vtkXMLStructuredGridReader,
+    ".vtu": vtkXMLUnstructuredGridReader,
+}
+POINT_LISTS = (".asc", ".csv", ".pts", ".pwn", ".txt", ".xyz")
+WRITERS = {
+    ".ply": vtkPLYWriter,
+    ".stl": vtkSTLWriter,
+    ".vti": vtkXMLImageDataWriter,
+    ".vtk": vtkDataSetWriter,
+    ".vtp": vtkXMLPolyDataWriter,
+}
+SURFACES_ONLY = (".stl",)
+
+
+def readable_suffixes():
+    """The endings of all files that `read` takes, in lower case; those of meshio only if it is installed."""
+    return sorted({*READERS, *POINT_LISTS, *_suffixes_of_meshio()})
+
+
+def read(path):
+    """Read a mesh, a cloud of points or an image.
+
+    Parameters
+    ----------
+    path : str or path-like
+        The ending tells the format. VTK reads .vtk .vtp .vtu .vti .vts .vtr .vtm .stl .ply .obj .g .gltf .glb; .xyz .pwn .pts
+        .txt .csv .asc are lists of points, with normals if there are six columns; meshio, if it is installed, reads .off .msh
+        .inp .med .mesh .bdf .xdmf and more.
+
+    Returns
+    -------
+    vtkDataObject
+        As it stands in the file: vtkPolyData for surfaces and clouds, other data sets for .vtu, .vti, .vtm and so on.
+
+    Raises
+    ------
+    FileError
+        If there is no such file, or if it holds nothing that can be read.
+    """
+    path = pathlib.Path(path)
+    if not path.is_file():
+        raise FileError(f"{path}: there is no such file")
+    suffix = path.suffix.lower()
+    try:
+        if suffix in READERS:
+            data = _read_by_vtk(path, READERS[suffix]())
+        elif suffix in POINT_LISTS:
+            data = _read_points(path)
+        else:
+            data = _read_by_meshio(path)
+    except FileError:
+        raise
+    except (SurfaceBooleansError, OSError, ValueError) as error:
+        raise FileError(f"{path}: {error}") from error
+    if data is None or data.GetNumberOfElements(vtkDataObject.POINT) == 0:
+        raise FileError(f"{path}: no points in it; is it a {suffix} file?")
+    return data
+
+
+def write(data, path):
+    """Write a mesh, curves, a cloud or an image. The file appears when it is complete.
+
+    Parameters
+    ----------
+    data : mesh
+        `surfacebooleans.meshes` says what that is.
+    path : str or path-like
+        The ending tells the format: .vtk, .vtp, .stl, .ply, .obj, .vti; with meshio also .off, .msh and more.
+
+    Raises
+    ------
+    FileError
+        If the format is not known or cannot hold the data, or the file cannot be written.
+    """
+    path, data = pathlib.Path(path), as_data(data)
+    suffix = path.suffix.lower()
+    _check_format(path, data)
+    # The name of the unfinished file ends alike, because meshio goes by it.
+    unfinished = path.with_name(f".{path.stem}.unfinished{path.suffix}")
+    try:
+        unfinished.touch()
+        if suffix in WRITERS:
+            _write_by_vtk(unfinished, data, WRITERS[suffix]())
+        elif suffix == ".obj":
+            _write_obj(unfinished, data)
+        else:
+            _write_by_meshio(unfinished, data)
+        os.replace(unfinished, path)
+    except (SurfaceBooleansError, OSError, ValueError) as error:
+        text = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+        raise FileError(f"{path}: cannot be written: {text}") from error
+    finally:
+        with contextlib.suppress(OSError):
+            unfinished.unlink()
+
+
+# ---- VTK ---------------------------------------------------------------------------------------
+
+
+def _read_by_vtk(path, reader):
+    if path.suffix.lower().startswith(".vt") and has_appended_data(path):
+        reader.ReadFromInputStringOn()
+        reader.SetInputString(inlined(path.read_bytes()))
+    else:
+        reader.SetFileName(str(path))
+    update(reader)
+    return reader.GetOutputDataObject(0)
+
+
+def _check_format(path, data):
+    suffix = path.suffix.lower()
+    if suffix not in WRITERS and suffix != ".obj" and suffix not in _suffixes_of_meshio():
+        known = " ".join(sorted({*WRITERS, ".obj"}))
+        hint = "" if _meshio() else "; with meshio there are more (pip install meshio)"
+        raise FileError(f"{path}: the format {suffix or 'without an ending'} cannot be written; these can: {known}{hint}")
+    if isinstance(data, vtkImageData) != (suffix == ".vti") and suffix != ".vtk":
+        holds = "images only" if suffix == ".vti" else "no images"
+        raise FileError(f"{path}: {suffix} holds {holds}; choose .{'vtp' if suffix == '.vti' else 'vti'} or .vtk")
+    if suffix in SURFACES_ONLY and data.GetNumberOfPolys() == 0 and data.GetNumberOfCells() > 0:
+        raise FileError(f"{path}: {suffix} holds surfaces only, and these are lines or points; choose .vtp, .vtk or .ply")
+
+
+def _write_by_vtk(path, data, writer):
+    if hasattr(writer, "SetDataModeToBinary"):
+        writer.SetDataModeToBinary()  # not appended, which VTK 9.2 cannot read back where expat is newer
+    elif hasattr(writer, "SetFileTypeToBinary"):
+        writer.SetFileTypeToBinary()
+    writer.SetFileName(str(path))
+    writer.SetInputDataObject(data)
+    update(writer, work=writer.Write)
+
+
+def _write_obj(path, data):
+    """Points with all their digits, where vtkOBJWriter has six."""
+    with open(path, "w", encoding="ascii") as file:
+        np.savetxt(file, points_of(data), fmt="v %.17g %.17g %.17g")
+        for letter, cells in (("f", data.GetPolys()), ("l", data.GetLines())):
+            ids = vtk_to_numpy(cells.GetConnectivityArray()) + 1
+            offsets = vtk_to_numpy(cells.GetOffsetsArray())
+            for begin, end in zip(offsets[:-1], offsets[1:]):
+                file.write(f"{letter} {' '.join(map(str, ids[begin:end]))}\n")
+
+
+# ---- lists of points ---------------------------------------------------------------------------
+
+
+def _read_points(path):
+    """A point a line: x y z, or x y z and its normal; spaces or commas between them. A first line that is not such, a
+    header or the number of points, is passed over."""
+    with open(path, encoding="utf-8", errors="replace") as file:
+        lines = [line for line in file if line.strip() and line.lstrip()[0] not in "#/"]
+    delimiter = "," if lines and "," in lines[-1] else None
+    numbers = len(lines[-1].split(delimiter)) if lines else 0
+    if lines and not _are_numbers(lines[0].split(delimiter), numbers):
+        lines = lines[1:]
+    table = np.loadtxt(lines, delimiter=delimiter, ndmin=2) if lines else np.zeros((0, 3))
+    if table.shape[1] < 3:
+        raise ValueError("each line has to have the three coordinates of a point")
+    return polydata(table[:, :3], normals=table[:, 3:6] if table.shape[1] == 6 else None)
+
+
+def _are_numbers(words, count):
+    with contextlib.suppress(ValueError):
+        return len(words) == count and bool([float(word) for word in words])
+    return False
+
+
+# ---- meshio ------------------------------------------------------------------------------------
+
+
+def _meshio():
+    try:
+        import meshio
+    except ImportError:
+        return None
+    return meshio
+
+
+def _suffixes_of_meshio():
+    meshio = _meshio()
+    return tuple(meshio.extension_to_filetypes) if meshio else ()
+
+
+def _read_by_meshio(path):
+    """By way of a .vtu file, which both know."""
+    meshio = _meshio()
+    if path.suffix.lower() not in _suffixes_of_meshio():
+        hint = "" if meshio else "; with meshio there are more (pip install meshio)"
+        raise FileError(
+            f"{path}: the format {path.suffix or 'without an ending'} is not known; these are: "
+            f"{' '.join(readable_suffixes())}{hint}"
+        )
+    with tempfile.TemporaryDirectory() as folder:
+        between = pathlib.Path(folder, "mesh.vtu")
+        try:
+            with contextlib.redirect_stdout(None), contextlib.redirect_stderr(None):
+                meshio.write(between, meshio.read(path))
+        except (Exception, SystemExit) as error:  # its readers fail in every way, and some end the program
+            raise FileError(f"{path}: meshio cannot read it: {error}") from error
+        return _read_by_vtk(between, vtkXMLUnstructuredGridReader())
+
+
+def _write_by_meshio(path, data):
+    """Triangles and segments, with all arrays of numbers."""
+    cutter = vtkTriangleFilter()
+    cutter.SetInputData(data)
+    cutter.PassVertsOff()
+    cutter.Update()
+    simple = cutter.GetOutput()
+    cells = [
+        (kind, vtk_to_numpy(part.GetConnectivityArray()).reshape(-1, size))
+        for kind, part, size in (("line", simple.GetLines(), 2), ("triangle", simple.GetPolys(), 3))
+        if part.GetNumberOfCells()
+    ]
+    attributes = simple.GetPointData()
+    arrays = (attributes.GetArray(k) for k in range(attributes.GetNumberOfArrays()))
+    point_data = {array.GetName(): vtk_to_numpy(array) for array in arrays if array and array.GetName()}
+    meshio = _meshio()
+    try:
+        with contextlib.redirect_stdout(None), contextlib.redirect_stderr(None):
+            meshio.write(path, meshio.Mesh(points_of(simple).astype(float), cells, point_data=point_data))
+    except (Exception, SystemExit) as error:
+        raise FileError(f"meshio cannot write it: {error}") from error

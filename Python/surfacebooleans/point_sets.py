@@ -1,0 +1,138 @@
+# SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Recipes for scanned points: the smooth surface of a cloud, and where other geometry meets it."""
+
+from surfacebooleans.meshes import as_data, as_plane, result
+from surfacebooleans.running import configure, update
+from surfacebooleans.vtk import vtkPointSetIntersectionFilter, vtkPointSetSurfaceFilter
+from vtkmodules.vtkCommonDataModel import vtkPlane
+
+
+def point_set_surface(cloud, *, cell_size=0.0, curvatures=True, width=0.0, flip=False, threads=0, progress=False):
+    """A mesh of the smooth surface that a cloud of points samples (moving least squares).
+
+    Parameters
+    ----------
+    cloud : vtkPointSet, pyvista data set, array of shape (n, 3), or pair of such for points and normals
+        Normals are estimated where it has none.
+    cell_size : float, optional
+        About the edge of the triangles, in the unit of the points; 0 for two spacings of the cloud.
+    curvatures : bool, optional
+        Whether points get their curvatures.
+    width : float, optional
+        The scale below which detail is taken for noise, in the unit of the points; 0 for three spacings.
+    flip : bool, optional
+        Turn all normals over.
+    threads, progress
+        As in `boolean`.
+
+    Returns
+    -------
+    mesh
+        Triangles whose corners lie on the surface, with ``Normals`` and curvatures; closed if the cloud is. For arrays
+        `(points, triangles)`.
+
+    Raises
+    ------
+    SurfaceBooleansError
+        If there are fewer than six points, all points lie on lines, or the cells are too small.
+
+    Warns
+    -----
+    SurfaceBooleansWarning
+        If many normals may be wrong, or many points are off the surface.
+
+    References
+    ----------
+    P. Yang, X. Qian, "Direct Boolean intersection between acquired and designed geometry", Computer-Aided Design 41(2),
+    2009, sections 3 and 4.1.
+    """
+    algorithm = _cloud_filter(cloud, True, cell_size, curvatures, width, flip, threads)
+    update(algorithm, progress)
+    return result(algorithm.GetSurfaceOutput(), cloud)
+
+
+def point_set_points(cloud, *, project=True, curvatures=True, width=0.0, flip=False, threads=0, progress=False):
+    """The points of a cloud on the smooth surface that they sample, with normals, curvatures and quality.
+
+    Parameters
+    ----------
+    cloud, curvatures, width, flip, threads, progress
+        As in `point_set_surface`.
+    project : bool, optional
+        Off, the points stay where they are.
+
+    Returns
+    -------
+    vtkPolyData or pyvista.PolyData
+        All points in their order with ``Normals``, ``Residual`` (how far the point was from its place), ``Validity`` (0: all
+        is well), ``MeanCurvature`` and others, ``DoubtfulNormal``. For an array too, because there is more than an array.
+
+    Raises
+    ------
+    SurfaceBooleansError
+        As in `point_set_surface`.
+    """
+    data = as_data(cloud)
+    algorithm = _cloud_filter(data, False, 0.0, curvatures, width, flip, threads)
+    algorithm.SetProjectPoints(project)
+    update(algorithm, progress)
+    return result(algorithm.GetOutput(), data)
+
+
+def _cloud_filter(cloud, mesh, cell_size, curvatures, width, flip, threads):
+    algorithm = configure(
+        vtkPointSetSurfaceFilter(),
+        GenerateSurface=mesh,
+        CellSize=cell_size,
+        ComputeCurvatures=curvatures,
+        Width=width,
+        FlipNormals=flip,
+        NumberOfThreads=threads,
+    )
+    algorithm.SetInputDataObject(0, as_data(cloud))
+    return algorithm
+
+
+def point_set_intersection(cloud, plane, *, chord_error=0.0, width=0.0, flip=False, threads=0, progress=False):
+    """The curves in which a plane meets the surface of a cloud of points, without meshing it.
+
+    Parameters
+    ----------
+    cloud, width, flip, threads, progress
+        As in `point_set_surface`.
+    plane : (origin, normal) or vtkPlane
+        The plane to cut with; the inside is on the left of the curves as seen from where the normal points.
+    chord_error : float, optional
+        How far the curve may be from a segment of the polyline, in the unit of the points; 0 for a tenth of the spacing.
+
+    Returns
+    -------
+    mesh
+        Polylines with the point arrays ``Normals`` and ``Curvature`` and the cell arrays ``Length``, ``Closed`` and
+        ``ChordError`` (measured); for arrays a list of arrays of shape (k, 3).
+
+    Raises
+    ------
+    SurfaceBooleansError
+        As in `point_set_surface`.
+    TypeError
+        If `plane` is none.
+
+    References
+    ----------
+    Yang, Qian (2009), section 4.2.
+    """
+    place = as_plane(plane)
+    if place is None:
+        raise TypeError("a plane is (origin, normal), three numbers each")
+    cutter = vtkPlane()
+    cutter.SetOrigin(place[0])
+    cutter.SetNormal(place[1])
+    algorithm = configure(
+        vtkPointSetIntersectionFilter(), ChordError=chord_error, Width=width, FlipNormals=flip, NumberOfThreads=threads
+    )
+    algorithm.SetPlane(cutter)
+    algorithm.SetInputDataObject(0, as_data(cloud))
+    update(algorithm, progress)
+    return result(algorithm.GetOutput(), cloud, lines=True)
