@@ -20,7 +20,7 @@ from surfacebooleans.clipping import clip, cut, triangulate_contours  # noqa: E4
 from surfacebooleans.errors import FileError, SurfaceBooleansError, SurfaceBooleansWarning  # noqa: E402
 from surfacebooleans.files import read, write  # noqa: E402
 from surfacebooleans.measures import measure  # noqa: E402
-from surfacebooleans.meshes import fields_of  # noqa: E402
+from surfacebooleans.meshes import fields_of, polydata  # noqa: E402
 from surfacebooleans.point_sets import point_set_intersection, point_set_points, point_set_surface  # noqa: E402
 from surfacebooleans.surfaces import boolean, distance, distance_field, intersection, split  # noqa: E402
 
@@ -39,6 +39,7 @@ __all__ = [
     "point_set_intersection",
     "point_set_points",
     "point_set_surface",
+    "polydata",
     "read",
     "split",
     "triangulate_contours",

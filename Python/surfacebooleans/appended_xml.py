@@ -15,9 +15,12 @@ APPENDED = re.compile(rb'<AppendedData\s+encoding="(\w+)"\s*>\s*_')
 
 
 def has_appended_data(path):
-    """Whether a file of VTK's XML formats has appended data; false for other files."""
+    """Whether a file is one of VTK's XML formats with appended data."""
     with open(path, "rb") as file:
-        return file.read(400).lstrip().startswith(b"<?xml") and (file.seek(0), b"<AppendedData" in file.read())[1]
+        if b"<VTKFile" not in file.read(1000):
+            return False
+        file.seek(0)
+        return b"<AppendedData" in file.read()
 
 
 def inlined(text):

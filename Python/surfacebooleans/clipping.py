@@ -41,7 +41,7 @@ def clip(
     pass_point_data : bool, optional
         Whether the point arrays are passed and interpolated.
     outline : bool, optional
-        Whether to return the outlines of the caps, too.
+        Whether to return the outlines of the caps, too; they are then lines of the first mesh as well.
     tolerance, threads, progress
         As in `boolean`.
 
@@ -73,6 +73,7 @@ def clip(
         vtkPolyDataClipClosedSurface(),
         InsideOut=inside_out,
         PassPointData=pass_point_data,
+        GenerateOutline=outline,
         Tolerance=tolerance,
         NumberOfThreads=threads,
     )

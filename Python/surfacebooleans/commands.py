@@ -151,16 +151,16 @@ def _clip_arguments(parser):
 
 
 def _clip(arguments, meshes, common):
-    clipped, outline = clip(
-        meshes[0],
-        arguments.plane,
-        box=arguments.box,
-        inside_out=arguments.inside_out,
-        pass_point_data=arguments.point_data,
-        outline=True,
-        tolerance=arguments.tolerance,
+    options = {
+        "box": arguments.box,
+        "inside_out": arguments.inside_out,
+        "pass_point_data": arguments.point_data,
+        "tolerance": arguments.tolerance,
         **common,
-    )
+    }
+    if not arguments.outline:
+        return {arguments.output: clip(meshes[0], arguments.plane, **options)}
+    clipped, outline = clip(meshes[0], arguments.plane, outline=True, **options)
     return {arguments.output: clipped, arguments.outline: outline}
 
 
@@ -177,9 +177,18 @@ def _cut_arguments(parser):
     place.add_argument(
         "--offsets", type=float, nargs="+", default=[0.0], metavar="D", help="planes at these distances along the normal (0)"
     )
-    place.add_argument("--count", type=int, metavar="N", help="as many planes, in even steps through the whole surface")
+    place.add_argument("--count", type=_number_of_planes, metavar="N", help="as many planes, in even steps through the whole surface")
     parser.add_argument("--outlines", action="store_true", help="closed lines instead of triangles")
     _add_tolerance(parser)
+
+
+def _number_of_planes(word):
+    if int(word) < 1:
+        raise ValueError
+    return int(word)
+
+
+_number_of_planes.__name__ = "number of planes"  # as argparse calls it
 
 
 def _cut(arguments, meshes, common):

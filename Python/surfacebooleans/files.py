@@ -9,10 +9,12 @@ too) in 32-bit numbers, without arrays; .obj surfaces and lines; .vti images.
 import contextlib
 import os
 import pathlib
+import re
 import tempfile
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkIOGeometry import vtkBYUReader, vtkGLTFReader, vtkOBJReader, vtkSTLReader, vtkSTLWriter
@@ -145,14 +147,45 @@ def write(data, path):
 # ---- VTK ---------------------------------------------------------------------------------------
 
 
+@contextlib.contextmanager
+def _messages_caught():
+    """What VTK's readers have to say beyond what their listeners hear is an error, too, and not for the terminal."""
+    usual, caught = vtkOutputWindow.GetInstance(), vtkStringOutputWindow()
+    verbosity = vtkLogger.ConvertToVerbosity(vtkLogger.GetCurrentVerbosityCutoff())
+    vtkOutputWindow.SetInstance(caught)
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+    try:
+        yield
+    finally:
+        vtkOutputWindow.SetInstance(usual)
+        vtkLogger.SetStderrVerbosity(verbosity)
+    error = re.search(r"ERROR: In .*\n\w+ \(\w+\): (.*)", caught.GetOutput())
+    if error:
+        raise SurfaceBooleansError(error.group(1))
+
+
 def _read_by_vtk(path, reader):
+    if path.suffix.lower() == ".stl":
+        _check_length_of_stl(path)
     if path.suffix.lower().startswith(".vt") and has_appended_data(path):
         reader.ReadFromInputStringOn()
         reader.SetInputString(inlined(path.read_bytes()))
     else:
         reader.SetFileName(str(path))
-    update(reader)
+    with _messages_caught():
+        update(reader)
     return reader.GetOutputDataObject(0)
+
+
+def _check_length_of_stl(path):
+    """A binary STL file that was cut off; vtkSTLReader takes what is there without a word."""
+    with open(path, "rb") as file:
+        head = file.read(84)
+    if head.lstrip()[:5].lower() == b"solid" or len(head) < 84:
+        return
+    promised, present = int.from_bytes(head[80:], "little"), (path.stat().st_size - 84) // 50
+    if present < promised:
+        raise FileError(f"{path}: the file ends after {present:,} of {promised:,} triangles")
 
 
 def _check_format(path, data):

@@ -176,7 +176,19 @@ def lines_of(data):
 
 
 def fields_of(data):
-    """The field data, which say how a filter fared, as a dict: arrays of numpy, lists of texts, single values alone."""
+    """The field data of a result, which say how the filter fared.
+
+    Parameters
+    ----------
+    data : vtkDataObject
+        Of VTK or pyvista.
+
+    Returns
+    -------
+    dict
+        Arrays of numbers, lists of texts; a single value stands for itself. Such as ``Status`` (0: all is well), ``Message``,
+        ``ResultVolume`` (unit of the points cubed), ``StageSeconds``.
+    """
     fields, result = data.GetFieldData(), {}
     for k in range(fields.GetNumberOfArrays()):
         array = fields.GetAbstractArray(k)

@@ -44,7 +44,8 @@ def boolean(a, b=None, operation="union", *, reorient=True, tolerance=0.0, threa
     Returns
     -------
     mesh
-        Of the kind of `a`, or of its first one. The cell array ``SourceId`` says which surface a cell comes from, counted
+        Of the kind of `a`, or of its first one; closed if the surfaces are. Where they have point arrays, such as normals, the
+        sides of a seam have points of their own at the same places (pyvista: ``clean(tolerance=0)`` joins them). The cell array ``SourceId`` says which surface a cell comes from, counted
         from 0 through `a` and `b`, ``OriginalCellId`` which cell of it. The field data have ``Status``, ``Message``,
         ``ResultVolume``, ``ResultArea`` and more.
     mesh
