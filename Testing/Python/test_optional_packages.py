@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Claims about what the package does with pyvista, meshio and tqdm (Python/requirements.txt)."""
 
+import os
 import subprocess
 import sys
 
@@ -89,6 +90,18 @@ def test_normals_of_a_cloud_of_pyvista_are_used():
 
 def test_vtk_in_is_vtk_out_although_pyvista_is_loaded():
     assert not isinstance(sb.boolean(sb.polydata(*meshes.cube()), BALL), pyvista.PolyData)
+
+
+def test_pyvista_works_in_pvpython():
+    code = """
+import sys
+sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__  # pyvista takes the window that pvpython prints through
+import pyvista, surfacebooleans as sb
+result = sb.boolean(pyvista.Cube(), pyvista.Sphere(radius=0.6), "difference")
+print(type(result).__module__.split(".")[0], sb.measure(result)["closed"])
+"""
+    done = subprocess.run(["pvpython", "-c", code], capture_output=True, text=True, env={**os.environ, "DISPLAY": ""})
+    assert (done.stdout, done.stderr) == ("pyvista True\n", "")
 
 
 # ---- meshio ------------------------------------------------------------------------------------
