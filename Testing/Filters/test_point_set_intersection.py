@@ -118,7 +118,7 @@ def test_the_proxy_has_a_plane_to_move():
     simple.ResetSession()
     ball = simple.Sphere(ThetaResolution=60, PhiResolution=60, Radius=1)
     proxy = simple.PointSetIntersection(Input=ball)
-    wanted = {"Input", "Plane", "ChordError", "Definition", "Width", "FlipNormals", "NumberOfThreads"}
+    wanted = {"Input", "Tool", "Plane", "ChordError", "Definition", "Width", "FlipNormals", "NumberOfThreads"}
     assert set(proxy.ListProperties()) == wanted
     for name in wanted:
         assert len(proxy.GetProperty(name).SMProperty.GetDocumentation().GetDescription().strip()) > 40, name
