@@ -18,7 +18,7 @@ __path__ = extend_path(__path__, __name__)
 
 from surfacebooleans.clipping import clip, cut, triangulate_contours  # noqa: E402
 from surfacebooleans.errors import FileError, SurfaceBooleansError, SurfaceBooleansWarning  # noqa: E402
-from surfacebooleans.files import read, write  # noqa: E402
+from surfacebooleans.files import read, read_nurbs, write  # noqa: E402
 from surfacebooleans.measures import measure  # noqa: E402
 from surfacebooleans.meshes import fields_of, polydata  # noqa: E402
 from surfacebooleans.point_sets import point_set_intersection, point_set_points, point_set_surface  # noqa: E402
@@ -41,6 +41,7 @@ __all__ = [
     "point_set_surface",
     "polydata",
     "read",
+    "read_nurbs",
     "split",
     "triangulate_contours",
     "write",

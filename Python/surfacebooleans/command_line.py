@@ -12,12 +12,14 @@ import re
 import sys
 import time
 import warnings
+from typing import NamedTuple
 
 import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from surfacebooleans.commands import COMMANDS, FILES
 from surfacebooleans.errors import FileError, SurfaceBooleansError, SurfaceBooleansWarning
-from surfacebooleans.files import read, readable_suffixes, write
+from surfacebooleans.files import CAD_FILES, read, read_nurbs, readable_suffixes, write
 from surfacebooleans.measures import measure
 from surfacebooleans.meshes import fields_of
 
@@ -35,8 +37,9 @@ Exact Boolean operations, curves, distances and clips of surfaces in files.
 
 FORMATS = """\
 formats: .vtk .vtp .stl .ply .obj (read and written), .vtu .vti .vts .vtr .vtm .g .gltf .glb (read), .xyz .pwn .pts .txt .csv
-.asc (lists of points, with normals if there are six columns), and with meshio installed .off .msh .inp .med and more. .vtk
-and .vtp keep all digits and arrays; .stl and .ply store 32-bit numbers, which leaves a closed surface closed.
+.asc (lists of points, with normals if there are six columns), .step .stp .iges .igs (CAD; only .step and .stp are written,
+where the surfaces are exact), and with meshio installed .off .msh .inp .med and more. .vtk and .vtp keep all digits and
+arrays; .stl and .ply store 32-bit numbers, which leaves a closed surface closed.
 
 exit status: 0 done (there may have been warnings); 1 the filter has no result for such input; 2 wrong call; 3 a file could not
 be read or written; 130 interrupted. Of a folder the other files are still done, and the status is the highest.
@@ -94,6 +97,13 @@ def _parser():
 
 def _add_common(parser):
     parser.add_argument("--format", metavar="ENDING", help="of the files written into a folder, such as .vtp (that of the input)")
+    parser.add_argument(
+        "--cad-error",
+        type=float,
+        default=1e-3,
+        metavar="SHARE",
+        help="how far facets of CAD files may be from their surfaces, as a share of the whole (0.001)",
+    )
     parser.add_argument("--json", metavar="FILE", help="write a report: sizes, volume, area, closed, times (-: print it)")
     parser.add_argument("--threads", type=int, default=0, metavar="N", help="0: one a core; the result is the same (0)")
     parser.add_argument("--progress", action="store_true", help="show a bar (needs tqdm)")
@@ -118,7 +128,7 @@ class _Batch:
         self._check_call()
         tools = getattr(self.arguments, "tool", None) or getattr(self.arguments, "other", None) or []
         try:
-            self.others = [_Source(path) for path in ([tools] if isinstance(tools, str) else tools)]
+            self.others = [self._source(path) for path in ([tools] if isinstance(tools, str) else tools)]
             files = self._files()
         except SurfaceBooleansError as error:
             return self._failed(error)
@@ -165,9 +175,14 @@ class _Batch:
         except MemoryError:
             self._failed(SurfaceBooleansError("the result does not fit into memory"), report, self._place(path))
 
+    def _source(self, path):
+        is_cad = pathlib.Path(path).suffix.lower() in CAD_FILES
+        data = read_nurbs(path, self.arguments.cad_error) if is_cad else read(path)
+        return _Source(data, {"file": str(path), **measure(data)})
+
     def _compute(self, path, report):
         arguments, watch = self.arguments, _Stopwatch()
-        sources = [_Source(path), *self.others]
+        sources = [self._source(path), *self.others]
         report["inputs"] = [source.described for source in sources]
         report["seconds"] = {"read": watch.lap()}
         common = {"threads": arguments.threads, "progress": arguments.progress}
@@ -212,12 +227,11 @@ class _Batch:
         return self.status
 
 
-class _Source:
+class _Source(NamedTuple):
     """A file that was read."""
 
-    def __init__(self, path):
-        self.data = read(path)
-        self.described = {"file": str(path), **measure(self.data)}
+    data: vtkDataObject
+    described: dict
 
 
 class _Stopwatch:

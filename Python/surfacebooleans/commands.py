@@ -252,9 +252,8 @@ def _points_curves_arguments(parser):
         "--plane",
         type=float,
         nargs=6,
-        required=True,
         metavar=("OX", "OY", "OZ", "NX", "NY", "NZ"),
-        help="origin and normal of the plane",
+        help="origin and normal of a plane, instead of a tool",
     )
     parser.add_argument(
         "--chord-error", type=float, default=0.0, metavar="D", help="how far lines may be from the curve (spacing/10)"
@@ -262,8 +261,11 @@ def _points_curves_arguments(parser):
 
 
 def _points_curves(arguments, meshes, common):
+    if (len(meshes) == 2) == (arguments.plane is not None):
+        arguments.parser.error("give either a tool or --plane")
+    tool = arguments.plane or meshes[1]
     options = {"chord_error": arguments.chord_error, "width": arguments.width, "flip": arguments.flip}
-    return {arguments.output: point_set_intersection(meshes[0], arguments.plane, **options, **common)}
+    return {arguments.output: point_set_intersection(meshes[0], tool, **options, **common)}
 
 
 def _add_tolerance(parser):
@@ -385,9 +387,10 @@ COMMANDS = (
     ),
     Command(
         "points-curves",
-        "where a plane meets the surface of scanned points",
-        "The curves in which a plane meets the smooth surface of a cloud of points, without meshing it.",
-        "1",
+        "where a surface or a plane meets that of scanned points",
+        "The curves in which a surface or a plane meets the smooth surface of a cloud of points, without meshing the cloud. Of a "
+        "CAD file, the exact surfaces are cut.",
+        "1..2",
         _points_curves,
         _points_curves_arguments,
     ),

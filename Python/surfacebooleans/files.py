@@ -31,10 +31,11 @@ from vtkmodules.vtkIOXML import (
     vtkXMLUnstructuredGridReader,
 )
 
+from surfacebooleans import vtk as classes
 from surfacebooleans.appended_xml import has_appended_data, inlined
 from surfacebooleans.errors import FileError, SurfaceBooleansError
 from surfacebooleans.meshes import as_data, points_of, polydata
-from surfacebooleans.running import update
+from surfacebooleans.running import configure, update
 
 READERS = {
     ".g": vtkBYUReader,
@@ -59,7 +60,11 @@ WRITERS = {
     ".vtk": vtkDataSetWriter,
     ".vtp": vtkXMLPolyDataWriter,
 }
-SURFACES_ONLY = (".stl",)
+CAD_FILES = (".iges", ".igs", ".step", ".stp")
+if hasattr(classes, "vtkNURBSReader"):  # not where this was built without Open CASCADE
+    READERS.update(dict.fromkeys(CAD_FILES, classes.vtkNURBSReader))
+    WRITERS.update(dict.fromkeys((".step", ".stp"), classes.vtkNURBSWriter))
+SURFACES_ONLY = (".stl", ".step", ".stp")
 
 
 def readable_suffixes():
@@ -74,8 +79,8 @@ def read(path):
     ----------
     path : str or path-like
         The ending tells the format. VTK reads .vtk .vtp .vtu .vti .vts .vtr .vtm .stl .ply .obj .g .gltf .glb; .xyz .pwn .pts
-        .txt .csv .asc are lists of points, with normals if there are six columns; meshio, if it is installed, reads .off .msh
-        .inp .med .mesh .bdf .xdmf and more.
+        .txt .csv .asc are lists of points, with normals if there are six columns; .step .stp .iges .igs are read as
+        `read_nurbs` does; meshio, if it is installed, reads .off .msh .inp .med .mesh .bdf .xdmf and more.
 
     Returns
     -------
@@ -88,23 +93,50 @@ def read(path):
         If there is no such file, or if it holds nothing that can be read.
     """
     path = pathlib.Path(path)
-    if not path.is_file():
-        raise FileError(f"{path}: there is no such file")
     suffix = path.suffix.lower()
-    try:
-        if suffix in READERS:
-            data = _read_by_vtk(path, READERS[suffix]())
-        elif suffix in POINT_LISTS:
-            data = _read_points(path)
-        else:
-            data = _read_by_meshio(path)
-    except FileError:
-        raise
-    except (SurfaceBooleansError, OSError, ValueError) as error:
-        raise FileError(f"{path}: {error}") from error
-    if data is None or data.GetNumberOfElements(vtkDataObject.POINT) == 0:
-        raise FileError(f"{path}: no points in it; is it a {suffix} file?")
-    return data
+    if suffix in CAD_FILES:
+        return read_nurbs(path)
+    if suffix in READERS:
+        return _read(path, lambda: _read_by_vtk(path, READERS[suffix]()))
+    return _read(path, lambda: (_read_points if suffix in POINT_LISTS else _read_by_meshio)(path))
+
+
+def read_nurbs(path, chord_error=1e-3):
+    """Read a CAD file: facets, and the exact surfaces (rational B-splines) behind them, which the point set recipes use.
+
+    Parameters
+    ----------
+    path : str or path-like
+        A .step, .stp, .iges or .igs file.
+    chord_error : float, optional
+        How far facets may be from their surfaces, as a share of the diagonal of the whole.
+
+    Returns
+    -------
+    vtkPolyData
+        In millimetres. Cell arrays ``FaceId`` and ``SolidId``, point array ``UV``; the field data have the surfaces and, among
+        others, ``NumberOfSolids``, ``Closed`` and the measured ``ChordError``.
+
+    Raises
+    ------
+    FileError
+        If the file cannot be read.
+
+    Warns
+    -----
+    SurfaceBooleansWarning
+        If the facets are not closed, or some faces not exact.
+
+    References
+    ----------
+    L. Piegl, W. Tiller, "The NURBS Book", 2nd edition, Springer, 1997.
+    """
+    path = pathlib.Path(path)
+    if path.suffix.lower() not in CAD_FILES:
+        raise FileError(f"{path}: CAD files end in {', '.join(CAD_FILES)}")
+    if path.suffix.lower() not in READERS:
+        raise FileError(f"{path}: this build reads no CAD files; it was made without Open CASCADE")
+    return _read(path, lambda: _read_by_vtk(path, configure(READERS[path.suffix.lower()](), ChordError=chord_error)))
 
 
 def write(data, path):
@@ -115,7 +147,8 @@ def write(data, path):
     data : mesh
         `surfacebooleans.meshes` says what that is.
     path : str or path-like
-        The ending tells the format: .vtk, .vtp, .stl, .ply, .obj, .vti; with meshio also .off, .msh and more.
+        The ending tells the format: .vtk, .vtp, .stl, .ply, .obj, .vti; .step and .stp for facets that have exact surfaces; with
+        meshio also .off, .msh and more.
 
     Raises
     ------
@@ -142,6 +175,21 @@ def write(data, path):
     finally:
         with contextlib.suppress(OSError):
             unfinished.unlink()
+
+
+def _read(path, reading):
+    """The data of a file; whatever goes wrong is told with the file's name."""
+    if not path.is_file():
+        raise FileError(f"{path}: there is no such file")
+    try:
+        data = reading()
+    except FileError:
+        raise
+    except (SurfaceBooleansError, OSError, ValueError) as error:
+        raise FileError(f"{path}: {error}") from error
+    if data is None or data.GetNumberOfElements(vtkDataObject.POINT) == 0:
+        raise FileError(f"{path}: no points in it; is it a {path.suffix} file?")
+    return data
 
 
 # ---- VTK ---------------------------------------------------------------------------------------

@@ -110,6 +110,15 @@ def polydata(points, faces=None, normals=None):
         Indices of points.
     normals : array_like of float, shape (n, 3), optional
         At the points.
+
+    Returns
+    -------
+    vtkPolyData
+
+    Raises
+    ------
+    TypeError
+        If the points have another shape.
     """
     points = np.asarray(points)
     if points.ndim != 2 or points.shape[1] != 3:

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Recipes for scanned points: the smooth surface of a cloud, and where other geometry meets it."""
 
-from surfacebooleans.meshes import as_data, as_plane, result
+from surfacebooleans.meshes import as_data, as_plane, as_surface, result
 from surfacebooleans.running import configure, update
 from surfacebooleans.vtk import vtkPointSetIntersectionFilter, vtkPointSetSurfaceFilter
 from vtkmodules.vtkCommonDataModel import vtkPlane
@@ -94,15 +94,16 @@ def _cloud_filter(cloud, mesh, cell_size, curvatures, width, flip, threads):
     return algorithm
 
 
-def point_set_intersection(cloud, plane, *, chord_error=0.0, width=0.0, flip=False, threads=0, progress=False):
-    """The curves in which a plane meets the surface of a cloud of points, without meshing it.
+def point_set_intersection(cloud, tool, *, chord_error=0.0, width=0.0, flip=False, threads=0, progress=False):
+    """The curves in which a plane or a surface meets the surface of a cloud of points, without meshing the cloud.
 
     Parameters
     ----------
     cloud, width, flip, threads, progress
         As in `point_set_surface`.
-    plane : (origin, normal) or vtkPlane
-        The plane to cut with; the inside is on the left of the curves as seen from where the normal points.
+    tool : (origin, normal), vtkPlane or mesh
+        What to cut with. Of a mesh that comes from a CAD file (`read_nurbs`), the exact surfaces are cut. The inside of the
+        cloud is on the left of the curves as seen from the front of the tool.
     chord_error : float, optional
         How far the curve may be from a segment of the polyline, in the unit of the points; 0 for a tenth of the spacing.
 
@@ -110,29 +111,34 @@ def point_set_intersection(cloud, plane, *, chord_error=0.0, width=0.0, flip=Fal
     -------
     mesh
         Polylines with the point arrays ``Normals`` and ``Curvature`` and the cell arrays ``Length``, ``Closed`` and
-        ``ChordError`` (measured); for arrays a list of arrays of shape (k, 3).
+        ``ChordError`` (measured), with a mesh also ``OriginalCellId`` and others; for arrays a list of arrays of shape (k, 3).
 
     Raises
     ------
     SurfaceBooleansError
         As in `point_set_surface`.
     TypeError
-        If `plane` is none.
+        If `tool` is neither a plane nor a mesh.
 
     References
     ----------
-    Yang, Qian (2009), section 4.2.
+    Yang, Qian (2009), sections 4.2 and 4.3.
     """
-    place = as_plane(plane)
-    if place is None:
-        raise TypeError("a plane is (origin, normal), three numbers each")
-    cutter = vtkPlane()
-    cutter.SetOrigin(place[0])
-    cutter.SetNormal(place[1])
+    plane = as_plane(tool)
     algorithm = configure(
         vtkPointSetIntersectionFilter(), ChordError=chord_error, Width=width, FlipNormals=flip, NumberOfThreads=threads
     )
-    algorithm.SetPlane(cutter)
     algorithm.SetInputDataObject(0, as_data(cloud))
+    if plane:
+        algorithm.SetPlane(_vtk_plane(*plane))
+    else:
+        algorithm.SetInputDataObject(1, as_surface(tool))
     update(algorithm, progress)
     return result(algorithm.GetOutput(), cloud, lines=True)
+
+
+def _vtk_plane(origin, normal):
+    plane = vtkPlane()
+    plane.SetOrigin(origin)
+    plane.SetNormal(normal)
+    return plane

@@ -105,6 +105,33 @@ def test_a_file_that_ends_within_its_appended_data_is_told(surface, tmp_path):
             sb.read(tmp_path / "file.vtp")
 
 
+# ---- CAD files ---------------------------------------------------------------------------------
+
+SCREW = "/usr/share/opencascade/data/step/screw.step"  # Debian: occt-misc
+
+
+def test_a_cad_file_is_read_with_its_exact_surfaces():
+    coarse, fine = sb.read(SCREW), sb.read_nurbs(SCREW, chord_error=1e-4)
+    assert sb.measure(coarse)["closed"] and sb.measure(fine)["closed"]
+    assert fine.GetNumberOfCells() > 2 * coarse.GetNumberOfCells()
+    assert sb.fields_of(fine)["ChordError"] < sb.fields_of(coarse)["ChordError"]
+    assert fine.GetFieldData().GetArray("NURBSPoles").GetNumberOfTuples() > 0
+
+
+def test_exact_surfaces_are_written_again(tmp_path):
+    screw = sb.read(SCREW)
+    sb.write(screw, tmp_path / "screw.step")
+    again = sb.read(tmp_path / "screw.step")
+    assert sb.measure(again)["closed"] and sb.measure(again)["volume"] == pytest.approx(sb.measure(screw)["volume"], rel=1e-3)
+    with pytest.raises(sb.FileError, match="cube.step: "):
+        sb.write(booleans.polydata(meshes.cube()), tmp_path / "cube.step")
+
+
+def test_what_is_no_cad_file_is_told(tmp_path):
+    with pytest.raises(sb.FileError, match="CAD files end in .iges"):
+        sb.read_nurbs(tmp_path / "file.stl")
+
+
 # ---- lists of points ---------------------------------------------------------------------------
 
 
@@ -145,7 +172,7 @@ def test_what_cannot_be_read_is_told_with_its_name(name, tmp_path):
     assert str(tmp_path) in str(caught.value) and "\n" not in str(caught.value)
 
 
-SUFFIXES = [".vtk", ".vtp", ".vtu", ".vti", ".vts", ".vtr", ".stl", ".ply", ".obj", ".xyz", ".csv", ".gltf", ".glb", ".g"]
+SUFFIXES = [".vtk", ".vtp", ".vtu", ".vti", ".vts", ".vtr", ".stl", ".ply", ".obj", ".xyz", ".csv", ".gltf", ".glb", ".g", ".step", ".iges"]
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)

@@ -322,8 +322,16 @@ def test_a_plane_cuts_a_cloud():
     assert cells(curves, "Length").tolist() == [pytest.approx(2 * np.pi * 0.8, rel=3e-3)]
     (curve,) = sb.point_set_intersection(points, vtk_plane((0, 0, 0), (0, 0, 1)))
     assert np.linalg.norm(curve, axis=1) == pytest.approx(1, abs=1e-3)
-    with pytest.raises(TypeError, match="plane"):
+    with pytest.raises(TypeError, match="mesh"):
         sb.point_set_intersection(points, 3)
+
+
+def test_a_mesh_cuts_a_cloud():
+    points, normals = clouds.sphere(4000)
+    tool = meshes.box((-2, -2, 0), (2, 2, 2))
+    curves = sb.point_set_intersection(clouds.cloud(points, normals), vtk(tool))
+    assert cells(curves, "Length").tolist() == [pytest.approx(2 * np.pi, rel=3e-3)] and cells(curves, "Closed").tolist() == [1]
+    assert np.abs(booleans.points_of(curves)[:, 2]).max() < 1e-12
 
 
 def test_too_few_points_are_an_error():
