@@ -76,6 +76,24 @@ Handle(Geom_BSplineSurface)
   return copy;
 }
 
+/** Make it end in its first and last rows of poles. */
+void Clamp(Geom_BSplineSurface& spline)
+{
+  spline.SetUNotPeriodic();
+  spline.SetVNotPeriodic();
+  const bool inU = spline.UMultiplicity(1) == spline.UDegree() + 1;
+  const bool inV = spline.VMultiplicity(1) == spline.VDegree() + 1;
+  if (!inU || !inV)
+  {
+    double firstU = 0.0;
+    double lastU = 0.0;
+    double firstV = 0.0;
+    double lastV = 0.0;
+    spline.Bounds(firstU, lastU, firstV, lastV);
+    spline.Segment(firstU, lastU, firstV, lastV);
+  }
+}
+
 bool IsExactlyRational(const Handle(Geom_Surface) & surface)
 {
   return !surface->IsKind(STANDARD_TYPE(Geom_OffsetSurface));
@@ -88,10 +106,14 @@ sb::NURBSSurface PatchOf(const Handle(Geom_BSplineSurface) & surface)
   patch.DegreeV = surface->VDegree();
   patch.CountU = surface->NbUPoles();
   patch.CountV = surface->NbVPoles();
-  const TColStd_Array1OfReal& knotsU = surface->UKnotSequence();
-  const TColStd_Array1OfReal& knotsV = surface->VKnotSequence();
-  patch.KnotsU.assign(knotsU.begin(), knotsU.end());
-  patch.KnotsV.assign(knotsV.begin(), knotsV.end());
+  for (int i = 1; i <= surface->NbUKnots(); ++i)
+  {
+    patch.KnotsU.insert(patch.KnotsU.end(), surface->UMultiplicity(i), surface->UKnot(i));
+  }
+  for (int i = 1; i <= surface->NbVKnots(); ++i)
+  {
+    patch.KnotsV.insert(patch.KnotsV.end(), surface->VMultiplicity(i), surface->VKnot(i));
+  }
   patch.Poles.reserve(4 * static_cast<std::size_t>(patch.CountU) * patch.CountV);
   for (int i = 1; i <= patch.CountU; ++i)
   {
@@ -171,33 +193,11 @@ FaceSurface MakeFaceSurface(const TopoDS_Face& face, const ParameterBox& used)
   {
     spline = GeomConvert::SurfaceToBSplineSurface(
       new Geom_RectangularTrimmedSurface(surface, box.FirstU, box.LastU, box.FirstV, box.LastV));
-    spline->SetUNotPeriodic();
-    spline->SetVNotPeriodic();
+    Clamp(*spline);
     result.IsExact = IsExactlyRational(surface);
   }
   result.Patch = PatchOf(spline);
   return result;
-}
-
-sb::NURBSSurface Turned(const sb::NURBSSurface& patch)
-{
-  sb::NURBSSurface turned;
-  turned.DegreeU = patch.DegreeV;
-  turned.DegreeV = patch.DegreeU;
-  turned.CountU = patch.CountV;
-  turned.CountV = patch.CountU;
-  turned.KnotsU = patch.KnotsV;
-  turned.KnotsV = patch.KnotsU;
-  turned.Poles.resize(patch.Poles.size());
-  for (std::size_t i = 0; i < static_cast<std::size_t>(patch.CountU); ++i)
-  {
-    for (std::size_t j = 0; j < static_cast<std::size_t>(patch.CountV); ++j)
-    {
-      std::copy_n(patch.Poles.begin() + static_cast<std::ptrdiff_t>(4 * (i * patch.CountV + j)), 4,
-        turned.Poles.begin() + static_cast<std::ptrdiff_t>(4 * (j * patch.CountU + i)));
-    }
-  }
-  return turned;
 }
 
 Handle(Geom_BSplineSurface) MakeBSpline(const sb::NURBSSurface& patch)

@@ -44,9 +44,6 @@ struct ParameterBox
 /** @param used what of the face's parameters is needed; unbounded surfaces are cut off there. */
 FaceSurface MakeFaceSurface(const TopoDS_Face& face, const ParameterBox& used);
 
-/** The same patch with u and v exchanged, which turns its normal round. */
-sb::NURBSSurface Turned(const sb::NURBSSurface& patch);
-
 Handle(Geom_BSplineSurface) MakeBSpline(const sb::NURBSSurface& patch);
 
 } // namespace sbvtk

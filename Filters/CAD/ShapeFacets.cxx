@@ -4,6 +4,7 @@
 
 #include "ClosestOnPatch.h"
 #include "FaceSurface.h"
+#include "PatchTurning.h"
 
 #include <BRepBndLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
@@ -184,7 +185,7 @@ public:
     this->AddTriangles(face, turned);
     if (turned)
     {
-      surface.Patch = Turned(surface.Patch);
+      surface.Patch = sb::Turned(surface.Patch);
       std::vector<double>& uv = this->Result.Surface.UV;
       for (std::size_t i = 2 * static_cast<std::size_t>(this->FirstPoint); i < uv.size(); i += 2)
       {
@@ -372,7 +373,8 @@ void OrientSolids(ShapeFacets& facets)
   {
     const std::int32_t solid = facets.SolidOfFace[face];
     turned[face] = solid >= 0 && volumes[static_cast<std::size_t>(solid)] < 0.0;
-    surface.Patches[face] = turned[face] ? Turned(surface.Patches[face]) : surface.Patches[face];
+    surface.Patches[face] =
+      turned[face] ? sb::Turned(surface.Patches[face]) : surface.Patches[face];
   }
   std::vector<char> done(surface.Points.size() / 3);
   for (std::size_t i = 0; i < surface.FaceId.size(); ++i)

@@ -7,6 +7,7 @@
 #include "NURBSArrays.h"
 #include "OperandSurface.h"
 #include "PatchPlacement.h"
+#include "PatchTurning.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
@@ -231,6 +232,44 @@ std::string DesignedInput::ReadFacets(sb::Executor& executor)
 }
 
 //------------------------------------------------------------------------------
+/** Patches whose facets run clockwise in their parameters, as they do after the facets were turned
+ * over, are turned, too: Du x Dv points to the front of the facets. */
+void DesignedInput::TurnPatches()
+{
+  sb::DesignedSurface& surface = this->Designed;
+  std::vector<double> areas(surface.Patches.size(), 0.0);
+  std::vector<std::int32_t> faceOfPoint(surface.Points.size() / 3, -1);
+  for (std::size_t i = 0; i < surface.FaceId.size(); ++i)
+  {
+    if (surface.FaceId[i] >= 0)
+    {
+      const std::int32_t* corners = surface.Triangles.data() + 3 * i;
+      const double* a = surface.UV.data() + 2 * static_cast<std::size_t>(corners[0]);
+      const double* b = surface.UV.data() + 2 * static_cast<std::size_t>(corners[1]);
+      const double* c = surface.UV.data() + 2 * static_cast<std::size_t>(corners[2]);
+      areas[static_cast<std::size_t>(surface.FaceId[i])] +=
+        (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+      for (int k = 0; k < 3; ++k)
+      {
+        faceOfPoint[static_cast<std::size_t>(corners[k])] = surface.FaceId[i];
+      }
+    }
+  }
+  for (std::size_t face = 0; face < areas.size(); ++face)
+  {
+    surface.Patches[face] =
+      areas[face] < 0.0 ? sb::Turned(surface.Patches[face]) : surface.Patches[face];
+  }
+  for (std::size_t point = 0; point < faceOfPoint.size(); ++point)
+  {
+    if (faceOfPoint[point] >= 0 && areas[static_cast<std::size_t>(faceOfPoint[point])] < 0.0)
+    {
+      std::swap(surface.UV[2 * point], surface.UV[2 * point + 1]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void DesignedInput::ReadPlaces(
   const std::vector<std::int32_t>& leafOfPatch, sb::Executor& executor, Patchless patchless)
 {
@@ -268,6 +307,7 @@ void DesignedInput::ReadPlaces(
   else
   {
     misfit = PlacePatches(surface, leafOfPatch, executor);
+    this->TurnPatches();
   }
   if (!misfit.empty())
   {

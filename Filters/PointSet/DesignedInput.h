@@ -77,6 +77,7 @@ private:
   std::string ReadFacets(sb::Executor& executor);
   void ReadPlaces(
     const std::vector<std::int32_t>& leafOfPatch, sb::Executor& executor, Patchless patchless);
+  void TurnPatches();
 
   std::vector<vtkMTimeType> Stamp;
   std::string Refusal;

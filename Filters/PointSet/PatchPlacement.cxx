@@ -14,8 +14,9 @@ namespace sbvtk
 namespace
 {
 
-// Of the diagonal of the facets' box. CAD systems join faces with gaps of 1e-5 of it and more; a
-// thousandth is what facets themselves are off by, so that patches which fit worse are of no use.
+// Of the diagonal of the facets' box: CAD systems join faces with gaps of 1e-5 of it and more.
+// Where facets were cut, the new corners are off by as much as the facets themselves, so that this
+// is allowed for, too: a patch that fits no worse than the facets is still of use.
 constexpr double mostMeanError = 1e-4;
 constexpr double mostError = 1e-3;
 
@@ -43,6 +44,7 @@ struct Correspondence
 {
   std::vector<double> OnPatch;
   std::vector<double> Now;
+  std::vector<double> Chords; ///< of each facet, from its middle to the patch, as three numbers
 
   double Diagonal() const
   {
@@ -79,6 +81,39 @@ std::vector<double> PointsOnPatches(const sb::DesignedSurface& surface,
   return onPatch;
 }
 
+/** From the middle of each facet to its patch, were the corners on it. */
+std::vector<double> ChordsOf(
+  const sb::DesignedSurface& surface, const std::vector<double>& onPatch, sb::Executor& executor)
+{
+  std::vector<double> chords(surface.Triangles.size());
+  executor.For(static_cast<std::int64_t>(surface.FaceId.size()), grain,
+    [&](std::int64_t begin, std::int64_t end) {
+      for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        if (surface.FaceId[i] < 0)
+        {
+          continue;
+        }
+        sb::Real3 middle{};
+        double u = 0.0;
+        double v = 0.0;
+        for (std::size_t corner = 3 * i; corner < 3 * i + 3; ++corner)
+        {
+          const std::size_t point = static_cast<std::size_t>(surface.Triangles[corner]);
+          const double* x = onPatch.data() + 3 * point;
+          middle = sb::PlusScaled(middle, 1.0 / 3.0, { x[0], x[1], x[2] });
+          u += surface.UV[2 * point] / 3.0;
+          v += surface.UV[2 * point + 1] / 3.0;
+        }
+        const sb::NURBSSurface& patch =
+          surface.Patches[static_cast<std::size_t>(surface.FaceId[i])];
+        const sb::Real3 chord = sb::Difference(sb::EvaluatePatch(patch, u, v, 0).Point, middle);
+        std::copy(chord.begin(), chord.end(), chords.begin() + static_cast<std::ptrdiff_t>(3 * i));
+      }
+    });
+  return chords;
+}
+
 std::vector<Correspondence> GroupPoints(const sb::DesignedSurface& surface,
   const std::vector<std::int32_t>& faceOfPoint, const std::vector<std::int32_t>& groupOfPatch,
   sb::Executor& executor)
@@ -86,20 +121,37 @@ std::vector<Correspondence> GroupPoints(const sb::DesignedSurface& surface,
   const std::vector<double> onPatch = PointsOnPatches(surface, faceOfPoint, executor);
   std::vector<Correspondence> groups(static_cast<std::size_t>(
     groupOfPatch.empty() ? 0 : 1 + *std::max_element(groupOfPatch.begin(), groupOfPatch.end())));
+  const auto groupOf = [&](std::int32_t face) -> Correspondence& {
+    return groups[static_cast<std::size_t>(groupOfPatch[static_cast<std::size_t>(face)])];
+  };
   for (std::size_t i = 0; i < faceOfPoint.size(); ++i)
   {
-    if (faceOfPoint[i] >= 0)
+    for (std::size_t k = 3 * i; k < 3 * i + 3 && faceOfPoint[i] >= 0; ++k)
     {
-      Correspondence& group =
-        groups[static_cast<std::size_t>(groupOfPatch[static_cast<std::size_t>(faceOfPoint[i])])];
-      for (std::size_t k = 3 * i; k < 3 * i + 3; ++k)
-      {
-        group.OnPatch.push_back(onPatch[k]);
-        group.Now.push_back(surface.Points[k]);
-      }
+      groupOf(faceOfPoint[i]).OnPatch.push_back(onPatch[k]);
+      groupOf(faceOfPoint[i]).Now.push_back(surface.Points[k]);
+    }
+  }
+  const std::vector<double> chords = ChordsOf(surface, onPatch, executor);
+  for (std::size_t k = 0; k < chords.size(); ++k)
+  {
+    if (surface.FaceId[k / 3] >= 0)
+    {
+      groupOf(surface.FaceId[k / 3]).Chords.push_back(chords[k]);
     }
   }
   return groups;
+}
+
+double LargestChord(const Correspondence& group, const sb::AffineMap& map)
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < group.Chords.size(); i += 3)
+  {
+    const sb::Real3 chord{ group.Chords[i], group.Chords[i + 1], group.Chords[i + 2] };
+    largest = std::max(largest, sb::Length(sb::Times(map.Matrix, chord)));
+  }
+  return largest;
 }
 
 std::string Misfit(double error)
@@ -139,8 +191,9 @@ std::string PlacePatches(sb::DesignedSurface& surface,
     fits.push_back(sb::FitAffineMap(
       group.OnPatch.data(), group.Now.data(), static_cast<std::int64_t>(group.Now.size() / 3)));
     const double diagonal = group.Now.empty() ? 0.0 : group.Diagonal();
-    if (!(fits.back().MeanError <= mostMeanError * diagonal &&
-          fits.back().LargestError <= mostError * diagonal))
+    const double chord = LargestChord(group, fits.back().Map);
+    if (!(fits.back().MeanError <= mostMeanError * diagonal + 0.5 * chord &&
+          fits.back().LargestError <= mostError * diagonal + chord))
     {
       return Misfit(fits.back().LargestError);
     }
