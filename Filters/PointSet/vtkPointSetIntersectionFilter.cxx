@@ -2,29 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSetIntersectionFilter.h"
 
+#include "CloudCurves.h"
 #include "CloudInput.h"
 #include "CloudSentences.h"
 #include "CloudSurface.h"
+#include "CommonPoint.h"
 #include "DesignedInput.h"
 #include "FieldArrays.h"
 #include "KernelExecutor.h"
 #include "MeshSection.h"
+#include "NURBSSection.h"
 #include "PlaneSection.h"
 #include "Stopwatch.h"
 #include "vtkPointSetSurfaceFilter.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPlane.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
@@ -56,29 +53,17 @@ sb::Real3 NormalOf(const sb::DesignedSurface& mesh, std::int32_t triangle)
 }
 }
 
-/** A curve, whatever it was cut with. */
-struct vtkPointSetIntersectionFilter::Curve
-{
-  std::vector<sb::Real3> Points; ///< the first again at the end if Closed
-  std::vector<sb::Real3> PlaneNormals; ///< of the plane that the curve lies in, for each point
-  std::vector<vtkIdType> Cells; ///< of the Tool, for each point
-  bool Closed = false;
-  bool IsTangential = false;
-  int Ends[2] = { NO_END, NO_END };
-  double ChordError = 0.0;
-};
-
 /** One update: its steps in their order, and what they share. */
 class vtkPointSetIntersectionFilter::Run
 {
 public:
   Run(vtkPointSetIntersectionFilter* filter, vtkDataObject* input, vtkInformationVector* tool,
-    vtkPolyData* curves)
+    vtkPolyData* output)
     : Filter(filter)
     , Data(input)
     , HasTool(tool && tool->GetNumberOfInformationObjects() > 0)
     , ToolData(this->HasTool ? vtkDataObject::GetData(tool, 0) : nullptr)
-    , Curves(curves)
+    , Output(output)
   {
   }
 
@@ -96,17 +81,20 @@ private:
   void PrepareTool();
   void PrepareCloud();
   void Intersect();
-  std::vector<Curve> CutWithPlane(double chordError, sb::Monitor& monitor);
-  std::vector<Curve> CutWithMesh(double chordError, sb::Monitor& monitor);
+  using Curves = std::vector<sbvtk::CloudCurve>;
+  Curves CutWithPlane(double chordError, sb::Monitor& monitor);
+  Curves CutWithMesh(double chordError, sb::Monitor& monitor);
+  Curves CutWithPatches(double chordError, sb::Monitor& monitor);
+  void StopIf(bool isAborted);
+  void TellOfArea(double area);
   void Warn(int status, const std::string& sentence);
-  void BuildCurves(const std::vector<Curve>& curves);
   void AddFields(int status, const std::string& message);
 
   vtkPointSetIntersectionFilter* Filter;
   vtkDataObject* Data;
   bool HasTool;
   vtkDataObject* ToolData;
-  vtkPolyData* Curves;
+  vtkPolyData* Output;
   sbvtk::CloudInput Input;
   sbvtk::KernelExecutor Executor;
   sbvtk::Stopwatch Watch;
@@ -141,7 +129,7 @@ void vtkPointSetIntersectionFilter::Run::Execute()
     failure = { CloudFilter::OUT_OF_MEMORY,
       "The result does not fit into memory; choose a larger ChordError or fewer points." };
   }
-  this->Curves->Initialize();
+  this->Output->Initialize();
   this->AddFields(failure.Status, failure.Sentence);
   if (failure.Status != CloudFilter::ABORTED)
   {
@@ -263,29 +251,35 @@ void vtkPointSetIntersectionFilter::Run::Intersect()
   const double bound = this->Filter->ChordError > 0.0 ? this->Filter->ChordError
                                                       : ChordErrorInSpacings * this->Cloud.Spacing;
   sbvtk::KernelMonitor monitor(this->Filter, 0.7, 1.0);
-  this->BuildCurves(
-    this->HasTool ? this->CutWithMesh(bound, monitor) : this->CutWithPlane(bound, monitor));
+  const sbvtk::CutWith cutter = !this->HasTool   ? sbvtk::CutWith::Plane
+    : this->Filter->Tool->Surface().HasPatches() ? sbvtk::CutWith::Patches
+                                                 : sbvtk::CutWith::Mesh;
+  const Curves curves = cutter == sbvtk::CutWith::Plane ? this->CutWithPlane(bound, monitor)
+    : cutter == sbvtk::CutWith::Mesh                    ? this->CutWithMesh(bound, monitor)
+                                                        : this->CutWithPatches(bound, monitor);
+  sbvtk::BuildCurves(curves, *this->Cloud.Surface, cutter, this->Output);
   this->Times.push_back({ "Intersect", this->Watch.Lap() });
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkPointSetIntersectionFilter::Curve> vtkPointSetIntersectionFilter::Run::CutWithPlane(
-  double chordError, sb::Monitor& monitor)
+auto vtkPointSetIntersectionFilter::Run::CutWithPlane(double chordError, sb::Monitor& monitor)
+  -> Curves
 {
   sb::PlaneSection section = sb::IntersectPlane(
     *this->Cloud.Surface, this->Origin, this->Normal, chordError, this->Executor, monitor);
-  if (section.Aborted)
-  {
-    throw Failure{ CloudFilter::ABORTED, "The filter was stopped." };
-  }
-  std::vector<Curve> curves;
+  this->StopIf(section.Aborted);
+  Curves curves;
   for (sb::SectionCurve& cut : section.Curves)
   {
-    Curve curve;
+    sbvtk::CloudCurve curve;
     curve.Closed = cut.Closed;
-    std::fill_n(curve.Ends, 2, cut.Closed ? NO_END : SCAN_BORDER);
+    curve.Ends.fill(cut.Closed ? sb::CurveEnd::None : sb::CurveEnd::ScanBorder);
     curve.ChordError = cut.LargestChordError;
-    curve.PlaneNormals.assign(cut.Points.size(), this->Normal);
+    curve.Places.resize(cut.Points.size());
+    for (sbvtk::CurvePlace& place : curve.Places)
+    {
+      place.Normal = this->Normal;
+    }
     curve.Points = std::move(cut.Points);
     curves.push_back(std::move(curve));
   }
@@ -293,45 +287,35 @@ std::vector<vtkPointSetIntersectionFilter::Curve> vtkPointSetIntersectionFilter:
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkPointSetIntersectionFilter::Curve> vtkPointSetIntersectionFilter::Run::CutWithMesh(
-  double chordError, sb::Monitor& monitor)
+auto vtkPointSetIntersectionFilter::Run::CutWithMesh(double chordError, sb::Monitor& monitor)
+  -> Curves
 {
   const sbvtk::DesignedInput& tool = *this->Filter->Tool;
-  const sb::DesignedSurface& mesh = tool.Surface();
-  sb::MeshSection section = sb::IntersectMesh(
-    *this->Cloud.Surface, mesh, { this->Cloud.Spacing, chordError }, this->Executor, monitor);
-  if (section.Status == sb::MeshSectionStatus::Aborted)
-  {
-    throw Failure{ CloudFilter::ABORTED, "The filter was stopped." };
-  }
+  sb::MeshSection section = sb::IntersectMesh(*this->Cloud.Surface, tool.Surface(),
+    { this->Cloud.Spacing, chordError }, this->Executor, monitor);
+  this->StopIf(section.Status == sb::MeshSectionStatus::Aborted);
   if (section.Status == sb::MeshSectionStatus::TooLarge)
   {
     throw Failure{ CloudFilter::TOO_LARGE,
       "Tool would have to be cut into more than 2147483647 triangles as small as the spacing of "
       "Input; choose a part of either." };
   }
-  if (section.CoincidentArea > 0.0)
-  {
-    this->CoincidentArea = section.CoincidentArea;
-    std::ostringstream sentence;
-    sentence << "Tool lies on the surface of Input, within its noise, over an area of "
-             << section.CoincidentArea << "; there are no curves there, only up to its border.";
-    this->Warn(COINCIDENT_AREA, sentence.str());
-  }
-  std::vector<Curve> curves;
+  this->TellOfArea(section.CoincidentArea);
+  Curves curves;
   for (sb::MeshSectionCurve& cut : section.Curves)
   {
-    Curve curve;
+    sbvtk::CloudCurve curve;
     curve.Closed = cut.Closed;
     curve.IsTangential = cut.IsTangential;
-    curve.Ends[0] = static_cast<int>(cut.Ends[0]);
-    curve.Ends[1] = static_cast<int>(cut.Ends[1]);
+    curve.Ends = cut.Ends;
     curve.ChordError = cut.LargestChordError;
     for (std::size_t i = 0; i < cut.Points.size(); ++i)
     {
       const std::int32_t triangle = cut.Triangles[std::min(i, cut.Triangles.size() - 1)];
-      curve.Cells.push_back(tool.CellOfTriangle(triangle));
-      curve.PlaneNormals.push_back(NormalOf(mesh, triangle));
+      sbvtk::CurvePlace place;
+      place.Cell = tool.CellOfTriangle(triangle);
+      place.Normal = NormalOf(tool.Surface(), triangle);
+      curve.Places.push_back(place);
     }
     curve.Points = std::move(cut.Points);
     curves.push_back(std::move(curve));
@@ -340,74 +324,59 @@ std::vector<vtkPointSetIntersectionFilter::Curve> vtkPointSetIntersectionFilter:
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSetIntersectionFilter::Run::BuildCurves(const std::vector<Curve>& curves)
+auto vtkPointSetIntersectionFilter::Run::CutWithPatches(double chordError, sb::Monitor& monitor)
+  -> Curves
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  vtkNew<vtkDoubleArray> normals;
-  vtkNew<vtkDoubleArray> curvatures;
-  vtkNew<vtkDoubleArray> lengths;
-  vtkNew<vtkDoubleArray> errors;
-  vtkNew<vtkIntArray> closed;
-  vtkNew<vtkIntArray> ends;
-  vtkNew<vtkIntArray> tangential;
-  vtkNew<vtkIdTypeArray> cells;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  curvatures->SetName("Curvature");
-  lengths->SetName("Length");
-  errors->SetName("ChordError");
-  closed->SetName("Closed");
-  ends->SetName("Ends");
-  ends->SetNumberOfComponents(2);
-  tangential->SetName("Tangential");
-  cells->SetName("OriginalCellId");
+  const sb::DesignedSurface& body = this->Filter->Tool->Surface();
+  sb::NURBSSection section = sb::IntersectPatches(
+    *this->Cloud.Surface, body, { this->Cloud.Spacing, chordError }, this->Executor, monitor);
+  this->StopIf(section.Aborted);
+  this->TellOfArea(section.CoincidentArea);
   sb::MovingLeastSquares::Neighbourhood near;
-  for (const Curve& curve : curves)
+  Curves curves;
+  for (sb::NURBSCurve& cut : section.Curves)
   {
-    // A loop has its first point once, as a point, and twice in its line.
-    const std::size_t distinct = curve.Points.size() - (curve.Closed ? 1 : 0);
-    const vtkIdType first = points->GetNumberOfPoints();
-    lines->InsertNextCell(static_cast<int>(curve.Points.size()));
-    double length = 0.0;
-    for (std::size_t i = 0; i < curve.Points.size(); ++i)
+    sbvtk::CloudCurve curve;
+    curve.Closed = cut.Closed;
+    curve.IsTangential = cut.IsTangential;
+    curve.Ends = cut.Ends;
+    curve.ChordError = cut.LargestChordError;
+    for (std::size_t i = 0; i < cut.Points.size(); ++i)
     {
-      lines->InsertCellPoint(first + static_cast<vtkIdType>(i < distinct ? i : 0));
-      length += i > 0 ? sb::Length(sb::Difference(curve.Points[i], curve.Points[i - 1])) : 0.0;
-      if (i < distinct)
-      {
-        const sb::SurfaceValue f = this->Cloud.Surface->EvaluateAt(curve.Points[i], 2, near);
-        const double steepness = sb::Length(f.Gradient);
-        const sb::Real3 normal =
-          steepness > 0.0 ? sb::Scaled(f.Gradient, 1.0 / steepness) : sb::Real3{};
-        points->InsertNextPoint(curve.Points[i].data());
-        normals->InsertNextTuple(normal.data());
-        curvatures->InsertNextValue(sb::SectionCurvature(f, curve.PlaneNormals[i]));
-        if (this->HasTool)
-        {
-          cells->InsertNextValue(curve.Cells[i]);
-        }
-      }
+      sbvtk::CurvePlace place;
+      place.Face = cut.FaceId[i];
+      place.UV = cut.UV[i];
+      place.CurvatureVector =
+        sb::CurvatureOfCommonCurve(this->Cloud.Surface->EvaluateAt(cut.Points[i], 2, near),
+          sb::EvaluatePatch(
+            body.Patches[static_cast<std::size_t>(place.Face)], place.UV[0], place.UV[1], 2));
+      curve.Places.push_back(place);
     }
-    lengths->InsertNextValue(length);
-    errors->InsertNextValue(curve.ChordError);
-    closed->InsertNextValue(curve.Closed ? 1 : 0);
-    ends->InsertNextTypedTuple(curve.Ends);
-    tangential->InsertNextValue(curve.IsTangential ? 1 : 0);
+    curve.Points = std::move(cut.Points);
+    curves.push_back(std::move(curve));
   }
-  this->Curves->SetPoints(points);
-  this->Curves->SetLines(lines);
-  this->Curves->GetPointData()->SetNormals(normals);
-  this->Curves->GetPointData()->AddArray(curvatures);
-  this->Curves->GetCellData()->AddArray(lengths);
-  this->Curves->GetCellData()->AddArray(closed);
-  this->Curves->GetCellData()->AddArray(errors);
-  this->Curves->GetCellData()->AddArray(ends);
-  if (this->HasTool)
+  return curves;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetIntersectionFilter::Run::StopIf(bool isAborted)
+{
+  if (isAborted)
   {
-    this->Curves->GetPointData()->AddArray(cells);
-    this->Curves->GetCellData()->AddArray(tangential);
+    throw Failure{ CloudFilter::ABORTED, "The filter was stopped." };
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetIntersectionFilter::Run::TellOfArea(double area)
+{
+  this->CoincidentArea = area;
+  if (area > 0.0)
+  {
+    std::ostringstream sentence;
+    sentence << "Tool lies on the surface of Input, within its noise, over an area of " << area
+             << "; there are no curves there, only up to its border.";
+    this->Warn(COINCIDENT_AREA, sentence.str());
   }
 }
 
@@ -415,16 +384,16 @@ void vtkPointSetIntersectionFilter::Run::BuildCurves(const std::vector<Curve>& c
 void vtkPointSetIntersectionFilter::Run::AddFields(int status, const std::string& message)
 {
   using sbvtk::AddField;
-  AddField(this->Curves, "Status", status);
-  AddField(this->Curves, "Message", message);
-  AddField(this->Curves, "Spacing", this->Cloud.Spacing);
-  AddField<vtkDoubleArray>(this->Curves, "Width",
+  AddField(this->Output, "Status", status);
+  AddField(this->Output, "Message", message);
+  AddField(this->Output, "Spacing", this->Cloud.Spacing);
+  AddField<vtkDoubleArray>(this->Output, "Width",
     std::vector<double>{ this->Cloud.Surface ? this->Cloud.Surface->Width() : 0.0 });
   if (this->HasTool)
   {
-    AddField(this->Curves, "CoincidentArea", this->CoincidentArea);
+    AddField(this->Output, "CoincidentArea", this->CoincidentArea);
   }
-  sbvtk::AddStageFields(this->Curves, this->Times);
+  sbvtk::AddStageFields(this->Output, this->Times);
 }
 
 //------------------------------------------------------------------------------

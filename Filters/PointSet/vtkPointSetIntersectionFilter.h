@@ -2,22 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPointSetIntersectionFilter
- * @brief   The curves in which a mesh or a plane meets the surface of a cloud of points, without
- * meshing the cloud.
+ * @brief   The curves in which a mesh, a CAD body or a plane meets the surface of a cloud of
+ * points, without meshing the cloud.
  *
  * After P. Yang, X. Qian: "Direct Boolean intersection between acquired and designed geometry",
- * Computer-Aided Design, 2009, sections 4.2 and 5. Port 0 ("Input") takes any vtkPointSet, or a
+ * Computer-Aided Design, 2009, sections 4.2, 5 and 6. Port 0 ("Input") takes any vtkPointSet, or a
  * composite data set of them; vtkMovingLeastSquaresSurface describes its surface. Port 1 ("Tool",
  * which may be missing) takes a vtkPolyData with polygons, open or closed, or a composite data set
  * of them, which counts as one. Without Tool the plane is used. All loops that are wider than two
  * spacings are found, and the open branches of open scans and open meshes. Steps along a curve are
  * as long as its curvature allows for ChordError, which is then measured.
  *
+ * Where the Tool carries exact surfaces (those of a CAD file) these are cut and not the facets:
+ * each point lies on the patch and on the cloud's surface to rounding, and has the point arrays
+ * `UV`, its parameters in the patch, and `FaceId`, which patch, instead of `OriginalCellId`.
+ *
  * Output 0 are the curves, one polyline each, with the inside of the cloud's surface on their left
  * as seen from the front of the Tool, or from where the plane's normal points. Where a curve
  * crosses an edge of the Tool its direction breaks, and it has a point.
  * Point arrays: `Normals`, those of the surface; `Curvature`, that of the curve (Eq. 8), positive
- * where it bends to the front of the surface; with a Tool `OriginalCellId`, the cell of the Tool
+ * where it bends to the front of the surface; with a mesh `OriginalCellId`, the cell of the Tool
  * that the curve enters there.
  * Cell arrays: `Length`; `Closed` (0 or 1); `ChordError`, the largest that was measured; `Ends`
  * (2 components), an EndType for the first and the last point; with a Tool `Tangential`, 1 where
@@ -74,6 +78,8 @@ public:
   void SetToolData(vtkDataObject* tool) { this->SetInputDataObject(1, tool); }
   void SetToolConnection(vtkAlgorithmOutput* tool) { this->SetInputConnection(1, tool); }
   void RemoveTool() { this->SetInputConnection(1, nullptr); }
+  /** 1 if there is one. */
+  int GetHasTool() { return this->GetNumberOfInputConnections(1) > 0 ? 1 : 0; }
   ///@}
 
   ///@{
@@ -131,7 +137,6 @@ private:
   vtkPointSetIntersectionFilter(const vtkPointSetIntersectionFilter&) = delete;
   void operator=(const vtkPointSetIntersectionFilter&) = delete;
 
-  struct Curve;
   class Run;
 
   vtkSmartPointer<vtkPlane> Plane;

@@ -22,7 +22,7 @@ import clouds
 import meshes
 from booleans import arrays_of, cells_of, heard_from, points_of, polydata
 
-OK, COINCIDENT_AREA, BAD_REQUEST, NOT_POINTS, NOT_A_SURFACE, TOO_FEW_POINTS = 0, 4, 10, 20, 21, 30
+OK, COINCIDENT_AREA, FACETS_ONLY, BAD_REQUEST, NOT_POINTS, NOT_A_SURFACE, TOO_FEW_POINTS = 0, 4, 5, 10, 20, 21, 30
 NO_END, TOOL_BORDER, SCAN_BORDER = 0, 1, 2
 
 
