@@ -122,7 +122,7 @@ def test_exact_surfaces_are_written_again(tmp_path):
     screw = sb.read(SCREW)
     sb.write(screw, tmp_path / "screw.step")
     again = sb.read(tmp_path / "screw.step")
-    assert sb.measure(again)["closed"] and sb.measure(again)["volume"] == pytest.approx(sb.measure(screw)["volume"], rel=1e-3)
+    assert sb.measure(again)["closed"] and sb.measure(again)["volume"] == pytest.approx(sb.measure(screw)["volume"], rel=3e-3)
     with pytest.raises(sb.FileError, match="cube.step: "):
         sb.write(booleans.polydata(meshes.cube()), tmp_path / "cube.step")
 
