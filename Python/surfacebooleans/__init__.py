@@ -6,9 +6,9 @@
 
     drilled = sb.boolean(plate, drill, "difference")
 
-takes and returns meshes of pyvista or VTK, or arrays; `surfacebooleans.meshes` says exactly what. Errors of the filters are
-raised as SurfaceBooleansError, warnings are warned as SurfaceBooleansWarning. ``python3 -m surfacebooleans --help`` shows
-the same for files.
+takes and returns meshes of pyvista or VTK, or arrays; `surfacebooleans.meshes` says exactly what. Errors of the filters
+are raised as SurfaceBooleansError, warnings are warned as SurfaceBooleansWarning. ``python3 -m surfacebooleans --help``
+shows the same for files.
 """
 
 from pkgutil import extend_path
@@ -21,7 +21,12 @@ from surfacebooleans.errors import FileError, SurfaceBooleansError, SurfaceBoole
 from surfacebooleans.files import read, read_nurbs, write  # noqa: E402
 from surfacebooleans.measures import measure  # noqa: E402
 from surfacebooleans.meshes import fields_of, polydata  # noqa: E402
-from surfacebooleans.point_sets import point_set_intersection, point_set_points, point_set_surface  # noqa: E402
+from surfacebooleans.point_sets import (  # noqa: E402
+    point_set_boolean,
+    point_set_intersection,
+    point_set_points,
+    point_set_surface,
+)
 from surfacebooleans.surfaces import boolean, distance, distance_field, intersection, split  # noqa: E402
 
 __all__ = [
@@ -36,6 +41,7 @@ __all__ = [
     "fields_of",
     "intersection",
     "measure",
+    "point_set_boolean",
     "point_set_intersection",
     "point_set_points",
     "point_set_surface",

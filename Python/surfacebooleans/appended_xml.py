@@ -51,7 +51,12 @@ def inlined(text):
         tag = re.sub(rb'\boffset="\d+"', b"", tag).replace(b'format="appended"', b'format="binary"')
         content = reader(data, offset, word, order, compressed)
         name = re.match(rb"<(\w+)", tag).group(1)
-        return tag.rstrip(b"/>").rstrip() + b">" + content + (b"</" + name + b">" if match.group(0).endswith(b"/>") else b"")
+        return (
+            tag.rstrip(b"/>").rstrip()
+            + b">"
+            + content
+            + (b"</" + name + b">" if match.group(0).endswith(b"/>") else b"")
+        )
 
     return ARRAY.sub(inline, head) + b"</VTKFile>\n"
 

@@ -32,8 +32,8 @@ def clip(
     mesh : mesh
         A closed surface. Several in one are several solids; one that is inside out is a hole in the one around it.
     planes : plane or list of planes, optional
-        A plane is `(origin, normal)`, three numbers each, or a vtkPlane; an array has the shape (n, 6). Kept is what lies
-        where the normals of all planes point.
+        A plane is `(origin, normal)`, three numbers each, or a vtkPlane; an array has the shape (n, 6). Kept is what
+        lies where the normals of all planes point.
     box : six numbers, optional
         Keep what is inside of (xmin, xmax, ymin, ymax, zmin, zmax), too.
     inside_out : bool, optional
@@ -48,8 +48,8 @@ def clip(
     Returns
     -------
     mesh
-        A closed surface. Its cell array ``SourceId`` is 0 on the surface, and the plane's number plus one on caps; those of
-        the box follow those of `planes`.
+        A closed surface. Its cell array ``SourceId`` is 0 on the surface, and the plane's number plus one on caps;
+        those of the box follow those of `planes`.
     mesh
         If `outline`: polylines, or a list of arrays of shape (k, 3).
 
@@ -132,8 +132,9 @@ def cut(
     Returns
     -------
     mesh
-        Triangles that face where the normal points, or polylines (for `(points, faces)` a list of arrays of shape (k, 3)). The
-        cell arrays are ``SourceId`` (the plane), ``Offset``, ``PolygonId``, ``Area``, ``Perimeter`` and ``Nesting``.
+        Triangles that face where the normal points, or polylines (for `(points, faces)` a list of arrays of shape (k,
+        3)). The cell arrays are ``SourceId`` (the plane), ``Offset``, ``PolygonId``, ``Area``, ``Perimeter`` and
+        ``Nesting``.
 
     Raises
     ------

@@ -36,13 +36,14 @@ Exact Boolean operations, curves, distances and clips of surfaces in files.
 """
 
 FORMATS = """\
-formats: .vtk .vtp .stl .ply .obj (read and written), .vtu .vti .vts .vtr .vtm .g .gltf .glb (read), .xyz .pwn .pts .txt .csv
-.asc (lists of points, with normals if there are six columns), .step .stp .iges .igs (CAD; only .step and .stp are written,
-where the surfaces are exact), and with meshio installed .off .msh .inp .med and more. .vtk and .vtp keep all digits and
-arrays; .stl and .ply store 32-bit numbers, which leaves a closed surface closed.
+formats: .vtk .vtp .stl .ply .obj (read and written), .vtu .vti .vts .vtr .vtm .g .gltf .glb (read), .xyz .pwn .pts .txt
+.csv .asc (lists of points, with normals if there are six columns), .step .stp .iges .igs (CAD; only .step and .stp are
+written, where the surfaces are exact), and with meshio installed .off .msh .inp .med and more. .vtk and .vtp keep all
+digits and arrays; .stl and .ply store 32-bit numbers, which leaves a closed surface closed.
 
-exit status: 0 done (there may have been warnings); 1 the filter has no result for such input; 2 wrong call; 3 a file could not
-be read or written; 130 interrupted. Of a folder the other files are still done, and the status is the highest.
+exit status: 0 done (there may have been warnings); 1 the filter has no result for such input; 2 wrong call; 3 a file
+could not be read or written; 130 interrupted. Of a folder the other files are still done, and the status is the
+highest.
 """
 
 
@@ -96,7 +97,9 @@ def _parser():
 
 
 def _add_common(parser):
-    parser.add_argument("--format", metavar="ENDING", help="of the files written into a folder, such as .vtp (that of the input)")
+    parser.add_argument(
+        "--format", metavar="ENDING", help="of the files written into a folder, such as .vtp (that of the input)"
+    )
     parser.add_argument(
         "--cad-error",
         type=float,
@@ -104,7 +107,9 @@ def _add_common(parser):
         metavar="SHARE",
         help="how far facets of CAD files may be from their surfaces, as a share of the whole (0.001)",
     )
-    parser.add_argument("--json", metavar="FILE", help="write a report: sizes, volume, area, closed, times (-: print it)")
+    parser.add_argument(
+        "--json", metavar="FILE", help="write a report: sizes, volume, area, closed, times (-: print it)"
+    )
     parser.add_argument("--threads", type=int, default=0, metavar="N", help="0: one a core; the result is the same (0)")
     parser.add_argument("--progress", action="store_true", help="show a bar (needs tqdm)")
     parser.add_argument("--quiet", action="store_true", help="say nothing but warnings and errors")
@@ -140,7 +145,11 @@ class _Batch:
         arguments = self.arguments
         if self.folder is None:
             return
-        extra = [n for n in ("curves", "second", "outline", "split_file", "split_tool") if getattr(arguments, n, None)]
+        extra = [
+            n
+            for n in ("curves", "second", "outline", "split_file", "split_tool", "points")
+            if getattr(arguments, n, None)
+        ]
         if extra:
             arguments.parser.error(f"--{extra[0].replace('_', '-')} is for one file, but {self.folder} is a folder")
         if os.path.abspath(arguments.output) == os.path.abspath(self.folder):

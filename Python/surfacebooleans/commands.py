@@ -9,7 +9,13 @@ import numpy as np
 
 from surfacebooleans.clipping import clip, cut, triangulate_contours
 from surfacebooleans.meshes import as_surface, points_of
-from surfacebooleans.point_sets import point_set_intersection, point_set_points, point_set_surface
+from surfacebooleans.point_sets import (
+    CLOUD_OPERATIONS,
+    point_set_boolean,
+    point_set_intersection,
+    point_set_points,
+    point_set_surface,
+)
 from surfacebooleans.surfaces import boolean, distance, distance_field, intersection, split
 
 
@@ -76,8 +82,8 @@ def _sign_arguments(parser):
         "--sign",
         choices=("pseudonormal", "winding-number"),
         default="pseudonormal",
-        help="what tells inside: the nearest facet (exact for closed surfaces), or how often the surface winds around a point "
-        "(for surfaces with holes)",
+        help="what tells inside: the nearest facet (exact for closed surfaces), or how often the surface winds "
+        "around a point (for surfaces with holes)",
     )
 
 
@@ -86,9 +92,13 @@ def _distance_arguments(parser):
     parser.add_argument(
         "--maximum", type=float, default=0.0, metavar="D", help="farther points get this distance, which saves time"
     )
-    parser.add_argument("--nearest", action="store_true", help="add the arrays NearestPoint, NearestCellId and Direction")
     parser.add_argument(
-        "--second", metavar="FILE", help="write the tool with its distances to the first file, too (then also Hausdorff)"
+        "--nearest", action="store_true", help="add the arrays NearestPoint, NearestCellId and Direction"
+    )
+    parser.add_argument(
+        "--second",
+        metavar="FILE",
+        help="write the tool with its distances to the first file, too (then also Hausdorff)",
     )
 
 
@@ -110,7 +120,9 @@ def _field_arguments(parser):
     size.add_argument(
         "--dimensions", type=int, nargs=3, default=(64, 64, 64), metavar="N", help="samples along x, y and z (64 64 64)"
     )
-    size.add_argument("--spacing", type=float, metavar="D", help="from one sample to the next; 0: 1/100 of the longest side")
+    size.add_argument(
+        "--spacing", type=float, metavar="D", help="from one sample to the next; 0: 1/100 of the longest side"
+    )
     parser.add_argument(
         "--margin", type=float, default=0.1, metavar="SHARE", help="beyond the surface's box, of its longest side (0.1)"
     )
@@ -175,9 +187,16 @@ def _cut_arguments(parser):
     )
     place = parser.add_mutually_exclusive_group()
     place.add_argument(
-        "--offsets", type=float, nargs="+", default=[0.0], metavar="D", help="planes at these distances along the normal (0)"
+        "--offsets",
+        type=float,
+        nargs="+",
+        default=[0.0],
+        metavar="D",
+        help="planes at these distances along the normal (0)",
     )
-    place.add_argument("--count", type=_number_of_planes, metavar="N", help="as many planes, in even steps through the whole surface")
+    place.add_argument(
+        "--count", type=_number_of_planes, metavar="N", help="as many planes, in even steps through the whole surface"
+    )
     parser.add_argument("--outlines", action="store_true", help="closed lines instead of triangles")
     _add_tolerance(parser)
 
@@ -268,6 +287,26 @@ def _points_curves(arguments, meshes, common):
     return {arguments.output: point_set_intersection(meshes[0], tool, **options, **common)}
 
 
+def _points_boolean_arguments(parser):
+    parser.add_argument(
+        "--operation",
+        choices=[operation.replace(" ", "-") for operation in CLOUD_OPERATIONS],
+        default="union",
+        help="what is inside the cloud or the tool, both, the cloud alone, the tool alone (union)",
+    )
+    _points_mesh_arguments(parser)
+    parser.add_argument("--points", metavar="FILE", help="write what is left of the cloud, too")
+    parser.add_argument("--curves", metavar="FILE", help="write the seam, too")
+
+
+def _points_boolean(arguments, meshes, common):
+    options = {"cell_size": arguments.cell_size, "width": arguments.width, "flip": arguments.flip}
+    surface, points, curves = point_set_boolean(
+        *meshes, arguments.operation, points=True, curves=True, **options, **common
+    )
+    return {arguments.output: surface, arguments.points: points, arguments.curves: curves}
+
+
 def _add_tolerance(parser):
     parser.add_argument(
         "--tolerance",
@@ -323,7 +362,8 @@ COMMANDS = (
     Command(
         "curves",
         "the curves in which two surfaces meet",
-        "The curves in which two surfaces meet, or, with one file, in which a surface meets itself. Surfaces may be open.",
+        "The curves in which two surfaces meet, or, with one file, in which a surface meets itself. Surfaces may be "
+        "open.",
         "1..2",
         _curves,
         _curves_arguments,
@@ -331,7 +371,8 @@ COMMANDS = (
     Command(
         "distance",
         "the distance of points to a surface",
-        "The first file (surface, cloud or grid) with the array Distance: how far each of its points is from the tool, negative "
+        "The first file (surface, cloud or grid) with the array Distance: how far each of its points is from the "
+        "tool, negative "
         "inside. The report has minimum, maximum, mean, RMS and quantiles.",
         "2",
         _distance,
@@ -371,7 +412,8 @@ COMMANDS = (
     Command(
         "points",
         "scanned points, moved onto their smooth surface",
-        "The points of a cloud, moved onto the smooth surface that they sample (moving least squares), with normals, curvatures "
+        "The points of a cloud, moved onto the smooth surface that they sample (moving least squares), with normals, "
+        "curvatures "
         "and marks where the scan is bad.",
         "1",
         _points,
@@ -388,10 +430,21 @@ COMMANDS = (
     Command(
         "points-curves",
         "where a surface or a plane meets that of scanned points",
-        "The curves in which a surface or a plane meets the smooth surface of a cloud of points, without meshing the cloud. Of a "
+        "The curves in which a surface or a plane meets the smooth surface of a cloud of points, without meshing the "
+        "cloud. Of a "
         "CAD file, the exact surfaces are cut.",
         "1..2",
         _points_curves,
         _points_curves_arguments,
+    ),
+    Command(
+        "points-boolean",
+        "the solid of scanned points with or without a body",
+        "The union, intersection or difference of the solid that a closed cloud of points encloses with a closed "
+        "surface. Of a CAD "
+        "file, the exact surfaces are used.",
+        "2",
+        _points_boolean,
+        _points_boolean_arguments,
     ),
 )

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads and writes meshes and clouds: by VTK where it knows the format, by meshio (if it is installed) where not.
 
-Which formats keep what: .vtk and .vtp keep all digits, arrays, lines and points; .stl and .ply hold surfaces (.ply clouds,
-too) in 32-bit numbers, without arrays; .obj surfaces and lines; .vti images.
+Which formats keep what: .vtk and .vtp keep all digits, arrays, lines and points; .stl and .ply hold surfaces (.ply
+clouds, too) in 32-bit numbers, without arrays; .obj surfaces and lines; .vti images.
 """
 
 import contextlib
@@ -78,9 +78,9 @@ def read(path):
     Parameters
     ----------
     path : str or path-like
-        The ending tells the format. VTK reads .vtk .vtp .vtu .vti .vts .vtr .vtm .stl .ply .obj .g .gltf .glb; .xyz .pwn .pts
-        .txt .csv .asc are lists of points, with normals if there are six columns; .step .stp .iges .igs are read as
-        `read_nurbs` does; meshio, if it is installed, reads .off .msh .inp .med .mesh .bdf .xdmf and more.
+        The ending tells the format. VTK reads .vtk .vtp .vtu .vti .vts .vtr .vtm .stl .ply .obj .g .gltf .glb; .xyz
+        .pwn .pts .txt .csv .asc are lists of points, with normals if there are six columns; .step .stp .iges .igs are
+        read as `read_nurbs` does; meshio, if it is installed, reads .off .msh .inp .med .mesh .bdf .xdmf and more.
 
     Returns
     -------
@@ -102,7 +102,7 @@ def read(path):
 
 
 def read_nurbs(path, chord_error=1e-3):
-    """Read a CAD file: facets, and the exact surfaces (rational B-splines) behind them, which the point set recipes use.
+    """Read a CAD file: facets, and the exact surfaces (rational B-splines) behind them, for the point set recipes.
 
     Parameters
     ----------
@@ -114,8 +114,8 @@ def read_nurbs(path, chord_error=1e-3):
     Returns
     -------
     vtkPolyData
-        In millimetres. Cell arrays ``FaceId`` and ``SolidId``, point array ``UV``; the field data have the surfaces and, among
-        others, ``NumberOfSolids``, ``Closed`` and the measured ``ChordError``.
+        In millimetres. Cell arrays ``FaceId`` and ``SolidId``, point array ``UV``; the field data have the surfaces
+        and, among others, ``NumberOfSolids``, ``Closed`` and the measured ``ChordError``.
 
     Raises
     ------
@@ -147,8 +147,8 @@ def write(data, path):
     data : mesh
         `surfacebooleans.meshes` says what that is.
     path : str or path-like
-        The ending tells the format: .vtk, .vtp, .stl, .ply, .obj, .vti; .step and .stp for facets that have exact surfaces; with
-        meshio also .off, .msh and more.
+        The ending tells the format: .vtk, .vtp, .stl, .ply, .obj, .vti; .step and .stp for facets that have exact
+        surfaces; with meshio also .off, .msh and more.
 
     Raises
     ------
@@ -241,12 +241,16 @@ def _check_format(path, data):
     if suffix not in WRITERS and suffix != ".obj" and suffix not in _suffixes_of_meshio():
         known = " ".join(sorted({*WRITERS, ".obj"}))
         hint = "" if _meshio() else "; with meshio there are more (pip install meshio)"
-        raise FileError(f"{path}: the format {suffix or 'without an ending'} cannot be written; these can: {known}{hint}")
+        raise FileError(
+            f"{path}: the format {suffix or 'without an ending'} cannot be written; these can: {known}{hint}"
+        )
     if isinstance(data, vtkImageData) != (suffix == ".vti") and suffix != ".vtk":
         holds = "images only" if suffix == ".vti" else "no images"
         raise FileError(f"{path}: {suffix} holds {holds}; choose .{'vtp' if suffix == '.vti' else 'vti'} or .vtk")
     if suffix in SURFACES_ONLY and data.GetNumberOfPolys() == 0 and data.GetNumberOfCells() > 0:
-        raise FileError(f"{path}: {suffix} holds surfaces only, and these are lines or points; choose .vtp, .vtk or .ply")
+        raise FileError(
+            f"{path}: {suffix} holds surfaces only, and these are lines or points; choose .vtp, .vtk or .ply"
+        )
 
 
 def _write_by_vtk(path, data, writer):

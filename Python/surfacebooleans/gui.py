@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Recipes for ParaView's window: macros and buttons call them, and so may scripts.
 
-Each takes the sources that are selected in the Pipeline Browser (the first one is the Input, the second one the Tool; select
-several with Ctrl), makes the filter, shows its result in telling colours, hides what it is made of, and returns the filter.
-What is wrong is said in the Output Messages; None is returned then.
+Each takes the sources that are selected in the Pipeline Browser (the first one is the Input, the second one the Tool;
+select several with Ctrl), makes the filter, shows its result in telling colours, hides what it is made of, and returns
+the filter. What is wrong is said in the Output Messages; None is returned then.
 
     from surfacebooleans import gui
     gui.boolean("Difference")
@@ -60,9 +60,7 @@ def boolean(operation="Union", sources=None):
     """
     least = 1 if operation == "Resolve" else 2
     sources = _sources(sources, least, None, f"{operation} takes the first one as Input, all others as Tools")
-    result = simple.SurfaceBoolean(
-        registrationName=operation, Input=sources[:1], Tool=sources[1:], Operation=operation
-    )
+    result = simple.SurfaceBoolean(registrationName=operation, Input=sources[:1], Tool=sources[1:], Operation=operation)
     if _has_result(result):
         _show_sources(result, sources)
         _hide(sources)
@@ -151,27 +149,37 @@ def clip(sources=None):
 
 @_told
 def point_cloud(sources=None):
-    """The mesh of the smooth surface that the selected cloud of points samples, coloured by its mean curvature.
+    """The smooth surface of the selected cloud of points; with a second source, the cloud's solid without that body.
+
+    The surface is coloured by its mean curvature, the difference by where it comes from: blue cloud, red body.
 
     Parameters
     ----------
     sources : list of proxies, optional
-        Instead of the selected one.
+        Instead of the selected ones: a cloud, and a closed surface.
 
     Returns
     -------
     proxy or None
-        The filter Point Set Surface.
+        The filter Point Set Surface or Point Set Boolean.
     """
-    (source,) = _sources(sources, 1, 1, "a cloud of points")
-    result = simple.PointSetSurface(registrationName="Point Cloud", Input=source, GenerateSurface=1)
+    sources = _sources(sources, 1, 2, "a cloud of points, and a body to take away from it if there is one")
+    if len(sources) == 2:
+        result = simple.PointSetBoolean(
+            registrationName="Point Cloud", Input=sources[0], Tool=sources[1], Operation="Difference"
+        )
+        if _has_result(result):
+            _show_sources(result, sources)
+            _hide(sources)
+        return _finished(result)
+    result = simple.PointSetSurface(registrationName="Point Cloud", Input=sources[0], GenerateSurface=1)
     if _has_result(result):
         mesh, view = simple.OutputPort(result, 1), _view()
         display = simple.Show(mesh, view)
         display.Representation = "Surface"
         _colour_about_zero(display, "MeanCurvature", mesh, view)
         simple.Hide(simple.OutputPort(result, 0), view)
-        _hide([source])
+        _hide(sources)
     return _finished(result)
 
 
@@ -185,7 +193,8 @@ def _sources(sources, least, most, what):
         count = {1: "one source", 2: "two sources"}[least]
         count = count if most == least else f"{count} or more" if most is None else "one or two sources"
         raise _CannotStart(
-            f"Select {count} in the Pipeline Browser first (Ctrl and click adds one): {what}. Selected are {len(sources)}."
+            f"Select {count} in the Pipeline Browser first (Ctrl and click adds one): {what}. "
+            f"Selected are {len(sources)}."
         )
     for source in sources:
         source.UpdatePipeline()

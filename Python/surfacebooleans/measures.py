@@ -22,10 +22,10 @@ def measure(mesh):
     Returns
     -------
     dict
-        ``points``, ``polygons``, ``lines`` (numbers of them), ``bounds`` (xmin, xmax, ymin, ...), and where there are polygons
-        ``closed`` (whether every edge is gone along as often forwards as backwards, by coordinates), ``area`` and ``volume`` (in
-        the unit of the points squared and cubed; a volume means something if the surface is closed). Of other data than
-        surfaces only the points.
+        ``points``, ``polygons``, ``lines`` (numbers of them), ``bounds`` (xmin, xmax, ymin, ...), and where there are
+        polygons ``closed`` (whether every edge is gone along as often forwards as backwards, by coordinates), ``area``
+        and ``volume`` (in the unit of the points squared and cubed; a volume means something if the surface is closed).
+        Of other data than surfaces only the points.
     """
     data = as_surface(mesh)
     measured = {"points": data.GetNumberOfElements(vtkDataObject.POINT)}
@@ -41,8 +41,8 @@ def measure(mesh):
 
 
 def is_closed(surface):
-    """Whether every edge of a vtkPolyData is gone along as often forwards as backwards, by coordinates; without polygons it
-    is not."""
+    """Whether every edge of a vtkPolyData is gone along as often forwards as backwards, by coordinates, and there are
+    polygons."""
     return surface.GetNumberOfPolys() > 0 and _closed(_corners(surface))
 
 

@@ -3,8 +3,9 @@
 """What goes into a recipe and comes out of it: VTK data sets, pyvista's meshes, or arrays of numpy.
 
 A *mesh* is a vtkPolyData, a pyvista.PolyData, a composite data set of such (which counts as one surface), any other
-data set of VTK (which counts as its boundary surface), or a pair ``(points, faces)``: float array of shape (n, 3), and int
-array of shape (m, 3) for triangles, (m, 4) for quads, and so on, each listed counter-clockwise as seen from outside.
+data set of VTK (which counts as its boundary surface), or a pair ``(points, faces)``: float array of shape (n, 3), and
+int array of shape (m, 3) for triangles, (m, 4) for quads, and so on, each listed counter-clockwise as seen from
+outside.
 
 What comes out is of the kind that went in first: pyvista for pyvista, VTK for VTK, arrays for arrays.
 """
@@ -51,8 +52,8 @@ def as_data(mesh):
     elif isinstance(mesh, np.ndarray):
         return polydata(mesh)
     raise TypeError(
-        f"a mesh is a vtkPolyData, a pyvista.PolyData or (points, faces) with points of shape (n, 3) and whole numbers of "
-        f"shape (m, k) as faces, but this is {_kind(mesh)}"
+        f"a mesh is a vtkPolyData, a pyvista.PolyData or (points, faces) with points of shape (n, 3) and whole numbers "
+        f"of shape (m, k) as faces, but this is {_kind(mesh)}"
     )
 
 
@@ -133,9 +134,7 @@ def polydata(points, faces=None, normals=None):
         faces = np.ascontiguousarray(faces, dtype=np.int64)
         offsets = np.arange(len(faces) + 1, dtype=np.int64) * faces.shape[1]
         cells = vtkCellArray()
-        cells.SetData(
-            numpy_to_vtkIdTypeArray(offsets, deep=True), numpy_to_vtkIdTypeArray(faces.ravel(), deep=True)
-        )
+        cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True), numpy_to_vtkIdTypeArray(faces.ravel(), deep=True))
         result.SetPolys(cells)
     if normals is not None:
         array = numpy_to_vtk(np.ascontiguousarray(normals, dtype=np.float64), deep=True)
@@ -195,8 +194,8 @@ def fields_of(data):
     Returns
     -------
     dict
-        Arrays of numbers, lists of texts; a single value stands for itself. Such as ``Status`` (0: all is well), ``Message``,
-        ``ResultVolume`` (unit of the points cubed), ``StageSeconds``.
+        Arrays of numbers, lists of texts; a single value stands for itself. Such as ``Status`` (0: all is well),
+        ``Message``, ``ResultVolume`` (unit of the points cubed), ``StageSeconds``.
     """
     fields, result = data.GetFieldData(), {}
     for k in range(fields.GetNumberOfArrays()):

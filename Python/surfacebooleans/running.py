@@ -35,7 +35,8 @@ def update(algorithm, progress=False, work=None):
     algorithm : vtkAlgorithm
         With its inputs and settings.
     progress : bool or callable, optional
-        True draws a bar (this needs tqdm); a callable gets the share that is done, in [0, 1], and the name of the stage.
+        True draws a bar (this needs tqdm); a callable gets the share that is done, in [0, 1], and the name of the
+        stage.
     work : callable, optional
         What to call instead of ``algorithm.Update``, such as a writer's ``Write``.
 

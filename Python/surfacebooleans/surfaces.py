@@ -24,8 +24,8 @@ def boolean(a, b=None, operation="union", *, reorient=True, tolerance=0.0, threa
     Parameters
     ----------
     a, b : mesh or list of meshes
-        Input and Tool (`surfacebooleans.meshes` says what a mesh is). Those of a list are united first; `b` may be None, but
-        not for a difference or a symmetric difference.
+        Input and Tool (`surfacebooleans.meshes` says what a mesh is). Those of a list are united first; `b` may be
+        None, but not for a difference or a symmetric difference.
     operation : {"union", "intersection", "difference", "symmetric difference", "resolve"}, optional
         What the result encloses: what is inside any surface; inside an `a` and a `b` (without `b`: inside all of `a`);
         inside an `a` and no `b`; inside an `a` or a `b`, but not both; inside any surface, where each surface's own
@@ -44,10 +44,11 @@ def boolean(a, b=None, operation="union", *, reorient=True, tolerance=0.0, threa
     Returns
     -------
     mesh
-        Of the kind of `a`, or of its first one; closed if the surfaces are. Where they have point arrays, such as normals, the
-        sides of a seam have points of their own at the same places (pyvista: ``clean(tolerance=0)`` joins them). The cell array ``SourceId`` says which surface a cell comes from, counted
-        from 0 through `a` and `b`, ``OriginalCellId`` which cell of it. The field data have ``Status``, ``Message``,
-        ``ResultVolume``, ``ResultArea`` and more.
+        Of the kind of `a`, or of its first one; closed if the surfaces are. Where they have point arrays, such as
+        normals, the sides of a seam have points of their own at the same places (pyvista: ``clean(tolerance=0)`` joins
+        them). The cell array ``SourceId`` says which surface a cell comes from, counted from 0 through `a` and `b`,
+        ``OriginalCellId`` which cell of it. The field data have ``Status``, ``Message``, ``ResultVolume``,
+        ``ResultArea`` and more.
     mesh
         The curves, if asked for: polylines with the cell arrays ``Length`` and ``Closed``, or a list of arrays (k, 3).
 
@@ -75,7 +76,7 @@ def boolean(a, b=None, operation="union", *, reorient=True, tolerance=0.0, threa
     """
     algorithm = configure(
         vtkPolyDataBooleanOperationFilter(),
-        Operation=_number_of(operation, OPERATIONS, "operation"),
+        Operation=number_of(operation, OPERATIONS, "operation"),
         ReorientDifferenceCells=reorient,
         Tolerance=tolerance,
         NumberOfThreads=threads,
@@ -103,8 +104,9 @@ def intersection(a, b=None, *, tolerance=0.0, threads=0, progress=False):
     Returns
     -------
     mesh
-        Polylines with the cell arrays ``CurveId``, ``Length`` (in the unit of the points), ``Closed`` and ``SourceIds``;
-        for `(points, faces)` a list of arrays of shape (k, 3). Empty, with ``Status`` 40, where the surfaces do not meet.
+        Polylines with the cell arrays ``CurveId``, ``Length`` (in the unit of the points), ``Closed`` and
+        ``SourceIds``; for `(points, faces)` a list of arrays of shape (k, 3). Empty, with ``Status`` 40, where the
+        surfaces do not meet.
 
     Raises
     ------
@@ -129,7 +131,8 @@ def split(a, b, *, tolerance=0.0, threads=0, progress=False):
     Returns
     -------
     a, b : mesh
-        The surfaces with cuts. Their cell array ``PatchId`` tells the parts, the point array ``SeamPoint`` is 1 on the curves.
+        The surfaces with cuts. Their cell array ``PatchId`` tells the parts, the point array ``SeamPoint`` is 1 on the
+        curves.
 
     Raises
     ------
@@ -180,8 +183,8 @@ def distance(
     signed, negate : bool, optional
         Off: without sign. On: positive inside.
     sign : {"pseudonormal", "winding number"}, optional
-        Inside is told by the nearest face, edge or vertex, or by how often `b` winds around the point: better where `b` has
-        holes.
+        Inside is told by the nearest face, edge or vertex, or by how often `b` winds around the point: better where `b`
+        has holes.
     maximum : float, optional
         Farther points get this distance, in the unit of the points; 0 for no limit.
     cells : bool, optional
@@ -196,8 +199,8 @@ def distance(
     Returns
     -------
     data set, or array of shape (n,)
-        A copy of `a` with the point array ``Distance`` (float64, in the unit of the points), and in the field data minimum,
-        maximum, mean, RMS, quantiles and Hausdorff distances. For arrays, the distances alone.
+        A copy of `a` with the point array ``Distance`` (float64, in the unit of the points), and in the field data
+        minimum, maximum, mean, RMS, quantiles and Hausdorff distances. For arrays, the distances alone.
     mesh, or array of shape (m,)
         If `second`: `b` with its distances, or these alone.
 
@@ -208,14 +211,14 @@ def distance(
 
     References
     ----------
-    Quammen, Weigle, Taylor (2011), section 3.2; sign: J. A. Baerentzen, H. Aanaes, "Signed Distance Computation Using the
-    Angle Weighted Pseudonormal", IEEE TVCG 11(3), 2005.
+    Quammen, Weigle, Taylor (2011), section 3.2; sign: J. A. Baerentzen, H. Aanaes, "Signed Distance Computation Using
+    the Angle Weighted Pseudonormal", IEEE TVCG 11(3), 2005.
     """
     algorithm = configure(
         vtkPolyDataDistance(),
         SignedDistance=signed,
         NegateDistance=negate,
-        SignMethod=_number_of(sign, SIGN_METHODS, "sign"),
+        SignMethod=number_of(sign, SIGN_METHODS, "sign"),
         MaximumDistance=maximum,
         ComputeCellCenterDistance=cells,
         ComputeNearestPoint=nearest,
@@ -257,8 +260,8 @@ def distance_field(
     dimensions : three ints, optional
         Samples along x, y and z, at least 2 each.
     spacing : float, optional
-        Distance of neighbouring samples in the unit of the points, instead of `dimensions`; 0 for a hundredth of the longest
-        side.
+        Distance of neighbouring samples in the unit of the points, instead of `dimensions`; 0 for a hundredth of the
+        longest side.
     margin : float, optional
         How far the image goes beyond the surface's box, as a share of the box's longest side.
     band : float, optional
@@ -285,7 +288,7 @@ def distance_field(
         NarrowBand=band,
         SignedDistance=signed,
         NegateDistance=negate,
-        SignMethod=_number_of(sign, SIGN_METHODS, "sign"),
+        SignMethod=number_of(sign, SIGN_METHODS, "sign"),
         NumberOfThreads=threads,
     )
     algorithm.SetInputDataObject(0, as_surface(a))
@@ -293,7 +296,7 @@ def distance_field(
     return result(algorithm.GetOutputDataObject(0), a)
 
 
-def _number_of(word, words, what):
+def number_of(word, words, what):
     """The index of a word in a list, however its parts are joined."""
     plain = str(word).lower().replace("-", " ").replace("_", " ")
     if plain not in words:

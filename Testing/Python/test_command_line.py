@@ -75,6 +75,7 @@ def volume(name):
         ("clip box.stl --box 0.5 1 0.5 1 -9 9", 0.5),
         ("clip box.stl --box 0.5 1 0.5 1 -9 9 --inside-out", 7.5),
         ("points-mesh scan.xyz", 4 / 3 * np.pi),
+        ("points-boolean scan.xyz box.stl --operation intersection", np.pi / 6),
     ],
 )
 def test_solids(folder, command, expected):
@@ -118,13 +119,20 @@ def test_scanned_points(folder):
     assert sb.read("p.vtp").GetPointData().GetArray("MeanCurvature")
     assert run("points-curves scan.xyz --plane 0 0 0 0 0 1 -o c.vtp --chord-error 1e-4") == DONE
     assert sb.read("c.vtp").GetCellData().GetArray("Length").GetValue(0) == pytest.approx(2 * np.pi, rel=1e-3)
+    assert run("points-curves scan.xyz box.stl -o c.vtp") == DONE
+    assert sb.read("c.vtp").GetCellData().GetArray("Length").GetValue(0) == pytest.approx(1.5 * np.pi, rel=2e-2)
+    assert run("points-boolean scan.xyz box.stl -o b.ply --points p.vtp --curves c.vtp") == DONE
+    assert sb.read("p.vtp").GetPointData().GetArray("SeamPoint").GetRange() == (0, 1)
+    assert sb.read("c.vtp").GetNumberOfLines() > 0
 
 
 @pytest.mark.parametrize("command", COMMANDS, ids=lambda command: command.name)
 def test_every_command_has_help_with_formats_and_exit_statuses(command, capsys):
     assert run(f"{command.name} --help") == DONE
     text = capsys.readouterr().out
-    assert all(word in text for word in (command.description.split()[0], "formats:", "exit status: 0 done", "130 interrupted"))
+    assert all(
+        word in text for word in (command.description.split()[0], "formats:", "exit status: 0 done", "130 interrupted")
+    )
     assert not re.search(r"^  -{1,2}\S+( \S+)*$\n^  -", text, re.MULTILINE), "an option without a word of help"
 
 
@@ -184,6 +192,8 @@ def test_warnings_are_a_line_each_and_no_failure(folder, capsys):
         ("field box.stl -o out.vti --dimensions 99999999999 2 2", NO_RESULT, ""),
         ("cut box.stl -o out.vtp --count 0", WRONG_CALL, "invalid number of planes value: '0'"),
         ("points box.stl -o out.vtp --width -1", NO_RESULT, "idth"),
+        ("points-curves scan.xyz -o out.vtp", WRONG_CALL, "give either a tool or --plane"),
+        ("points-boolean scan.xyz open.vtk -o out.vtp", NO_RESULT, "closed"),
     ],
 )
 def test_errors_are_one_sentence_and_have_a_status(folder, capsys, command, status, words):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Claims about files: what is written can be read, also what VTK alone cannot read; and bad files are told in a sentence."""
+"""Claims about files: what is written can be read, also where VTK alone cannot; bad files are told in a sentence."""
 
 import itertools
 
@@ -122,7 +122,9 @@ def test_exact_surfaces_are_written_again(tmp_path):
     screw = sb.read(SCREW)
     sb.write(screw, tmp_path / "screw.step")
     again = sb.read(tmp_path / "screw.step")
-    assert sb.measure(again)["closed"] and sb.measure(again)["volume"] == pytest.approx(sb.measure(screw)["volume"], rel=3e-3)
+    assert sb.measure(again)["closed"] and sb.measure(again)["volume"] == pytest.approx(
+        sb.measure(screw)["volume"], rel=3e-3
+    )
     with pytest.raises(sb.FileError, match="cube.step: "):
         sb.write(booleans.polydata(meshes.cube()), tmp_path / "cube.step")
 
@@ -172,11 +174,30 @@ def test_what_cannot_be_read_is_told_with_its_name(name, tmp_path):
     assert str(tmp_path) in str(caught.value) and "\n" not in str(caught.value)
 
 
-SUFFIXES = [".vtk", ".vtp", ".vtu", ".vti", ".vts", ".vtr", ".stl", ".ply", ".obj", ".xyz", ".csv", ".gltf", ".glb", ".g", ".step", ".iges"]
+SUFFIXES = [
+    ".vtk",
+    ".vtp",
+    ".vtu",
+    ".vti",
+    ".vts",
+    ".vtr",
+    ".stl",
+    ".ply",
+    ".obj",
+    ".xyz",
+    ".csv",
+    ".gltf",
+    ".glb",
+    ".g",
+    ".step",
+    ".iges",
+]
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
-@pytest.mark.parametrize("content", [b"nonsense\n", b"\x00\xff" * 300, b"<?xml version='1.0'?><VTKFile"], ids=["text", "bytes", "xml"])
+@pytest.mark.parametrize(
+    "content", [b"nonsense\n", b"\x00\xff" * 300, b"<?xml version='1.0'?><VTKFile"], ids=["text", "bytes", "xml"]
+)
 def test_nonsense_is_an_error_whatever_its_name(suffix, content, tmp_path):
     (tmp_path / f"file{suffix}").write_bytes(content)
     with pytest.raises(sb.FileError, match=f"file{suffix}: "):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Claims about the recipes for the window that need no window: what is refused, and the macros. The rest: GUI/Macros.xml."""
+"""Claims about the recipes for the window that need none: what is refused, and the macros. The rest: GUI/Macros.xml."""
 
 import os
 import pathlib
@@ -28,7 +28,7 @@ def empty_pipeline():
         ("curves", 3, "Select one or two sources"),
         ("distance_map", 1, "Select two sources.*the second one is the surface"),
         ("clip", 2, "Select one source"),
-        ("point_cloud", 0, "Select one source"),
+        ("point_cloud", 0, "Select one or two sources"),
     ],
 )
 def test_a_wrong_number_of_sources_is_told_not_raised(recipe, count, words, capfd):

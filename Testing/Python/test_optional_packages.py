@@ -35,7 +35,10 @@ def test_pyvista_in_pyvista_out(operation):
 
 def test_volumes_agree_with_set_theory():
     volume = {operation: sb.boolean(BOX, BALL, operation).field_data["ResultVolume"][0] for operation in OPERATIONS}
-    a, b = (float(mesh.field_data["ResultVolume"][0]) for mesh in (sb.boolean(BOX, operation="resolve"), sb.boolean(BALL, operation="resolve")))
+    a, b = (
+        float(mesh.field_data["ResultVolume"][0])
+        for mesh in (sb.boolean(BOX, operation="resolve"), sb.boolean(BALL, operation="resolve"))
+    )
     assert volume["union"] + volume["intersection"] == pytest.approx(a + b, rel=1e-12)
     assert volume["difference"] + volume["intersection"] == pytest.approx(a, rel=1e-12)
     assert volume["symmetric difference"] == pytest.approx(volume["union"] - volume["intersection"], rel=1e-12)
@@ -59,7 +62,9 @@ def test_every_recipe_gives_pyvista():
         "point_set_points": (sb.point_set_points(cloud), pyvista.PolyData),
         "point_set_intersection": (sb.point_set_intersection(cloud, plane), pyvista.PolyData),
     }
-    assert {name for name, (result, kind) in results.items() if type(result) is not kind or result.n_points == 0} == set()
+    assert {
+        name for name, (result, kind) in results.items() if type(result) is not kind or result.n_points == 0
+    } == set()
 
 
 def test_grids_and_multiblocks_of_pyvista_are_meshes():

@@ -54,7 +54,9 @@ def test_an_exception_of_the_listener_stops_the_filter_and_comes_through(large):
 def interrupted_after(seconds, work):
     """Press Ctrl-C meanwhile; how long it took to come through."""
     # Another process presses it: VTK lets no other thread of Python run.
-    press = subprocess.Popen(["sh", "-c", f"sleep {seconds}; kill -INT {os.getpid()}; date +%s.%N"], stdout=subprocess.PIPE)
+    press = subprocess.Popen(
+        ["sh", "-c", f"sleep {seconds}; kill -INT {os.getpid()}; date +%s.%N"], stdout=subprocess.PIPE
+    )
     with pytest.raises(KeyboardInterrupt):
         work()
     return time.time() - float(press.communicate()[0])
@@ -94,6 +96,9 @@ def test_recipes_work_in_threads():
 
 
 def test_without_tqdm_a_bar_is_refused_with_a_hint():
-    code = "import sys; sys.modules['tqdm'] = None; import surfacebooleans as sb, numpy as np; sb.point_set_points(np.eye(3), progress=True)"
+    code = (
+        "import sys; sys.modules['tqdm'] = None; import surfacebooleans as sb, numpy as np; "
+        "sb.point_set_points(np.eye(3), progress=True)"
+    )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert "ModuleNotFoundError: progress=True needs tqdm (pip install tqdm)" in done.stderr

@@ -144,7 +144,9 @@ def test_what_is_no_mesh_is_a_type_error(wrong):
 
 
 def test_an_unknown_operation_is_told_with_those_there_are():
-    with pytest.raises(ValueError, match="'minus'; there are: union, intersection, difference, symmetric difference, resolve"):
+    with pytest.raises(
+        ValueError, match="'minus'; there are: union, intersection, difference, symmetric difference, resolve"
+    ):
         sb.boolean(vtk(BOX), vtk(OTHER), "minus")
 
 
@@ -330,8 +332,25 @@ def test_a_mesh_cuts_a_cloud():
     points, normals = clouds.sphere(4000)
     tool = meshes.box((-2, -2, 0), (2, 2, 2))
     curves = sb.point_set_intersection(clouds.cloud(points, normals), vtk(tool))
-    assert cells(curves, "Length").tolist() == [pytest.approx(2 * np.pi, rel=3e-3)] and cells(curves, "Closed").tolist() == [1]
+    assert cells(curves, "Length").tolist() == [pytest.approx(2 * np.pi, rel=3e-3)] and cells(
+        curves, "Closed"
+    ).tolist() == [1]
     assert np.abs(booleans.points_of(curves)[:, 2]).max() < 1e-12
+
+
+@pytest.mark.parametrize(
+    "operation, share", [("union", 2.5), ("intersection", 0.5), ("difference", 0.5), ("reverse_difference", 1.5)]
+)
+def test_the_solid_of_a_cloud_is_combined_with_a_body(operation, share):
+    points, normals = clouds.sphere(4000)
+    tool = meshes.box((-1.25, -1.25, 0), (1.25, 1.25, (4 / 3 * np.pi / 2 + 4 / 3 * np.pi * 1.5) / 1.25**2 / 4))
+    ball = 4 / 3 * np.pi  # the box holds half of it, and one and a half times as much beside
+    surface, rest, seam = sb.point_set_boolean(
+        clouds.cloud(points, normals), vtk(tool), operation, points=True, curves=True
+    )
+    assert volume(surface) == pytest.approx(share * ball, rel=1e-2)
+    assert 0 < rest.GetNumberOfPoints() and cells(seam, "Length").sum() == pytest.approx(2 * np.pi, rel=1e-2)
+    assert set(cells(surface, "SourceId")) == {0, 1}
 
 
 def test_too_few_points_are_an_error():
@@ -379,7 +398,9 @@ def test_every_parameter_is_explained(recipe):
     text = inspect.getdoc(recipe)
     assert "Parameters\n----------" in text
     section = text.split("Parameters\n----------")[1].split("\n\n")[0]
-    explained = {n.strip() for line in section.splitlines() if not line.startswith(" ") for n in line.split(":")[0].split(",")}
+    explained = {
+        n.strip() for line in section.splitlines() if not line.startswith(" ") for n in line.split(":")[0].split(",")
+    }
     assert set(inspect.signature(recipe).parameters) <= explained
     assert any(f"{word}\n{'-' * len(word)}" in text for word in ("Returns", "Raises"))
 
