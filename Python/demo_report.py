@@ -4,49 +4,12 @@
 
 import time
 
-import numpy as np
 from paraview import servermanager
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from surfacebooleans.measures import is_closed, volume
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 
 IDENTITY_LIMIT = 1e-12  # of the volume of A: how exactly the filter's volumes have to agree
 RECOUNT_LIMIT = 1e-7  # relative; quads with float points are bent a little
-
-
-def corners_by_position(surface):
-    """Points that coincide get one number: (number of each corner, offsets of the polygons)."""
-    points = vtk_to_numpy(surface.GetPoints().GetData())
-    positions, number = np.unique(points, axis=0, return_inverse=True)
-    polygons = surface.GetPolys()
-    corners = vtk_to_numpy(polygons.GetConnectivityArray())
-    return positions, number.ravel()[corners], vtk_to_numpy(polygons.GetOffsetsArray())
-
-
-def next_corners(corners, offsets):
-    following = np.roll(corners, -1)
-    following[offsets[1:] - 1] = corners[offsets[:-1]]
-    return following
-
-
-def is_closed(surface):
-    """Whether every edge is gone along as often forwards as backwards."""
-    if surface.GetNumberOfPolys() == 0:
-        return False
-    _, start, offsets = corners_by_position(surface)
-    end = next_corners(start, offsets)
-    forwards = np.sort(start.astype(np.int64) << 32 | end)
-    backwards = np.sort(end.astype(np.int64) << 32 | start)
-    return bool(np.array_equal(forwards, backwards))
-
-
-def volume(surface):
-    """Volume enclosed, from the polygons alone (divergence theorem over fans of triangles)."""
-    positions, start, offsets = corners_by_position(surface)
-    positions = positions.astype(np.float64)
-    end = next_corners(start, offsets)
-    first = np.repeat(start[offsets[:-1]], np.diff(offsets))
-    a, b, c = positions[first], positions[start], positions[end]
-    return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
 
 
 def field(surface, name):

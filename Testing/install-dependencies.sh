@@ -13,7 +13,7 @@ packages="
   libexpat1-dev liblzma-dev liblz4-dev libdouble-conversion-dev zlib1g-dev
   libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev libocct-data-exchange-dev
   libocct-ocaf-dev libtbb-dev
-  python3-numpy python3-pytest libboost-dev libcgal-demo occt-misc
+  python3-numpy python3-pytest python3-venv libboost-dev libcgal-demo occt-misc
   xvfb xauth libqt5svg5
 "
 

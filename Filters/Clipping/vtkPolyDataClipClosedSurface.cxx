@@ -310,7 +310,8 @@ void vtkPolyDataClipClosedSurface::Run::AddColors(vtkPolyData* output, vtkIntArr
     const unsigned char* color = kind == 0 && old ? old->GetPointer(3 * i) : colors[kind].data();
     std::copy_n(color, 3, target + 3 * i);
   }
-  output->GetCellData()->SetScalars(array);
+  output->GetCellData()->AddArray(array);
+  output->GetCellData()->SetActiveScalars(array->GetName());
 }
 
 //------------------------------------------------------------------------------
@@ -325,7 +326,8 @@ void vtkPolyDataClipClosedSurface::Run::AddLabels(vtkPolyData* output, vtkIntArr
     const int plane = sources->GetValue(i) - 1;
     target[i] = plane < 0 ? 0 : plane == this->Filter->ActivePlaneId ? 2 : 1;
   }
-  output->GetCellData()->SetScalars(array);
+  output->GetCellData()->AddArray(array);
+  output->GetCellData()->SetActiveScalars(array->GetName());
 }
 
 //------------------------------------------------------------------------------

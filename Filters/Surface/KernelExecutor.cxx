@@ -6,12 +6,24 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <mutex>
 #include <string>
 
 namespace sbvtk
 {
+
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+/** How often somebody who listens to the filter is asked whether to go on. */
+constexpr std::chrono::milliseconds Beat(100);
+
+/** The monitor of the kernel that this thread runs, if any. */
+thread_local KernelMonitor* Listening = nullptr;
+}
 
 int KernelExecutor::NumberOfThreads() const
 {
@@ -27,6 +39,7 @@ void KernelExecutor::For(std::int64_t count, std::int64_t grain,
   std::exception_ptr failure;
   std::mutex failureGuard;
 
+  Clock::time_point pause;
   const auto takeRanges = [&](vtkIdType, vtkIdType) {
     for (std::int64_t range = nextRange++; range < numberOfRanges; range = nextRange++)
     {
@@ -40,21 +53,34 @@ void KernelExecutor::For(std::int64_t count, std::int64_t grain,
         failure = failure ? failure : std::current_exception();
         nextRange = numberOfRanges;
       }
+      if (Clock::now() >= pause)
+      {
+        return;
+      }
     }
   };
 
   // One task a thread, which takes ranges until none is left: the queue of vtkSMPTools costs more
-  // than a small range.
+  // than a small range. Where somebody listens all tasks pause now and then, because only this
+  // thread, which waits for them, may ask whether to stop.
   const std::int64_t numberOfTasks =
     std::min<std::int64_t>(this->NumberOfThreads(), numberOfRanges);
-  if (numberOfTasks > 1)
+  do
   {
-    vtkSMPTools::For(0, numberOfTasks, 1, takeRanges);
-  }
-  else
-  {
-    takeRanges(0, 1);
-  }
+    pause = Listening ? Clock::now() + Beat : Clock::time_point::max();
+    if (numberOfTasks > 1)
+    {
+      vtkSMPTools::For(0, numberOfTasks, 1, takeRanges);
+    }
+    else
+    {
+      takeRanges(0, 1);
+    }
+    if (Listening)
+    {
+      Listening->Aborted();
+    }
+  } while (nextRange < numberOfRanges);
   if (failure)
   {
     std::rethrow_exception(failure);
@@ -81,8 +107,13 @@ KernelMonitor::KernelMonitor(vtkAlgorithm* filter, double first, double last)
   , First(first)
   , Last(last)
   , Owner(std::this_thread::get_id())
+  , Before(Listening)
+  , LastBeat(Clock::now())
 {
+  Listening = this;
 }
+
+KernelMonitor::~KernelMonitor() { Listening = this->Before; }
 
 void KernelMonitor::Progress(double fraction, const char* stage)
 {
@@ -94,9 +125,18 @@ bool KernelMonitor::Aborted()
 {
   // vtkAlgorithm::CheckAbort writes to the whole pipeline above it, so only the thread that runs
   // the filter may call it.
-  if (std::this_thread::get_id() == this->Owner && this->Filter->CheckAbort())
+  if (std::this_thread::get_id() == this->Owner)
   {
-    this->Stop = true;
+    const Clock::time_point now = Clock::now();
+    if (now - this->LastBeat >= Beat)
+    {
+      this->LastBeat = now;
+      this->Filter->UpdateProgress(this->Filter->GetProgress());
+    }
+    if (this->Filter->CheckAbort())
+    {
+      this->Stop = true;
+    }
   }
   return this->Stop;
 }

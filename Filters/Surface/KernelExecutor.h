@@ -12,6 +12,7 @@
 #include "sbSurfaceModule.h" // for the export macro
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <thread>
 
@@ -39,13 +40,20 @@ public:
  */
 SBSURFACE_EXPORT void RunWithThreads(int numberOfThreads, const std::function<void()>& work);
 
-/** Passes the kernel's progress on as a share of the filter's, and the filter's abort flag to the
- * kernel. */
+/**
+ * Passes the kernel's progress on as a share of the filter's, and the filter's abort flag to the
+ * kernel. During long stages the last progress is told again every tenth of a second, so that
+ * whoever listens can set that flag. While it lives, KernelExecutor::For pauses for that in the
+ * thread that made it.
+ */
 class SBSURFACE_EXPORT KernelMonitor : public sb::Monitor
 {
 public:
   /** @param first, last the part of the filter's progress, in [0, 1], that the kernel takes. */
   KernelMonitor(vtkAlgorithm* filter, double first, double last);
+  ~KernelMonitor() override;
+  KernelMonitor(const KernelMonitor&) = delete;
+  void operator=(const KernelMonitor&) = delete;
 
   void Progress(double fraction, const char* stage) override;
   bool Aborted() override;
@@ -55,6 +63,8 @@ private:
   double First;
   double Last;
   std::thread::id Owner;
+  KernelMonitor* Before; ///< the one that listened in this thread when this one was made
+  std::chrono::steady_clock::time_point LastBeat;
   std::atomic<bool> Stop{ false };
 };
 

@@ -472,8 +472,10 @@ void ResultSurface::CopyTo(vtkPolyData* output, sb::Executor& executor) const
   polygons->SetData(this->Offsets, this->Connectivity);
   output->SetPoints(points);
   output->SetPolys(polygons);
-  output->GetCellData()->SetScalars(this->SourceIds); // active: ParaView colours by it at once
+  output->GetCellData()->AddArray(this->SourceIds);
   output->GetCellData()->AddArray(this->OriginalCellIds);
+  // ParaView colours by it at once. SetScalars would remove the scalars of the inputs.
+  output->GetCellData()->SetActiveScalars(this->SourceIds->GetName());
 }
 
 //------------------------------------------------------------------------------

@@ -65,6 +65,7 @@ def test_chained_filters_keep_the_colors_of_the_first():
     assert found == {(255, 0, 0), (0, 0, 255), (0, 255, 0)}
     painted = clip(labelled(meshes.cube(2.0), with_colors=True), ABOVE, ScalarMode=1)
     assert {tuple(c) for c in painted.cell_data["Colors"].tolist()} == {(10, 20, 30), (255, 128, 0)}
+    assert {tuple(c) for c in painted.cell_data["Paint"].tolist()} == {(10, 20, 30), (0, 0, 0)}  # still there
 
 
 def test_cell_data_goes_with_the_cells_and_caps_have_none():

@@ -349,6 +349,14 @@ def test_arrays_of_one_side_are_filled_on_the_other():
     assert result.surface.GetPointData().GetArray("B").GetDataType() == VTK_FLOAT
 
 
+def test_the_scalars_of_an_input_are_carried_although_the_source_becomes_active():
+    first = with_arrays(quads(), {}, {"Material": np.full(6, 7.0)})
+    first.GetCellData().SetActiveScalars("Material")
+    result = boolean([first], [quads((1, 1, 1))], DIFFERENCE)
+    assert np.all((result.cell_data["Material"] == 7) == (result.cell_data["SourceId"] == 0))
+    assert result.surface.GetCellData().GetScalars().GetName() == "SourceId"
+
+
 def test_each_side_of_a_seam_has_its_own_values():
     first = with_arrays(quads(), {"Side": np.zeros(8)})
     second = with_arrays(quads((1, 1, 1)), {"Side": np.ones(8)})

@@ -1,0 +1,356 @@
+# SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reads and writes meshes and clouds: by VTK where it knows the format, by meshio (if it is installed) where not.
+
+Which formats keep what: .vtk and .vtp keep all digits, arrays, lines and points; .stl and .ply hold surfaces (.ply
+clouds, too) in 32-bit numbers, without arrays; .obj surfaces and lines; .vti images.
+"""
+
+import contextlib
+import os
+import pathlib
+import re
+import tempfile
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkIOGeometry import vtkBYUReader, vtkGLTFReader, vtkOBJReader, vtkSTLReader, vtkSTLWriter
+from vtkmodules.vtkIOLegacy import vtkDataSetReader, vtkDataSetWriter
+from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
+from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataReader,
+    vtkXMLImageDataWriter,
+    vtkXMLMultiBlockDataReader,
+    vtkXMLPolyDataReader,
+    vtkXMLPolyDataWriter,
+    vtkXMLRectilinearGridReader,
+    vtkXMLStructuredGridReader,
+    vtkXMLUnstructuredGridReader,
+)
+
+from surfacebooleans import vtk as classes
+from surfacebooleans.appended_xml import has_appended_data, inlined
+from surfacebooleans.errors import FileError, SurfaceBooleansError
+from surfacebooleans.meshes import as_data, points_of, polydata
+from surfacebooleans.running import configure, update
+
+READERS = {
+    ".g": vtkBYUReader,
+    ".glb": vtkGLTFReader,
+    ".gltf": vtkGLTFReader,
+    ".obj": vtkOBJReader,
+    ".ply": vtkPLYReader,
+    ".stl": vtkSTLReader,
+    ".vti": vtkXMLImageDataReader,
+    ".vtk": vtkDataSetReader,
+    ".vtm": vtkXMLMultiBlockDataReader,
+    ".vtp": vtkXMLPolyDataReader,
+    ".vtr": vtkXMLRectilinearGridReader,
+    ".vts": vtkXMLStructuredGridReader,
+    ".vtu": vtkXMLUnstructuredGridReader,
+}
+POINT_LISTS = (".asc", ".csv", ".pts", ".pwn", ".txt", ".xyz")
+WRITERS = {
+    ".ply": vtkPLYWriter,
+    ".stl": vtkSTLWriter,
+    ".vti": vtkXMLImageDataWriter,
+    ".vtk": vtkDataSetWriter,
+    ".vtp": vtkXMLPolyDataWriter,
+}
+CAD_FILES = (".iges", ".igs", ".step", ".stp")
+if hasattr(classes, "vtkNURBSReader"):  # not where this was built without Open CASCADE
+    READERS.update(dict.fromkeys(CAD_FILES, classes.vtkNURBSReader))
+    WRITERS.update(dict.fromkeys((".step", ".stp"), classes.vtkNURBSWriter))
+SURFACES_ONLY = (".stl", ".step", ".stp")
+
+
+def readable_suffixes():
+    """The endings of all files that `read` takes, in lower case; those of meshio only if it is installed."""
+    return sorted({*READERS, *POINT_LISTS, *_suffixes_of_meshio()})
+
+
+def read(path):
+    """Read a mesh, a cloud of points or an image.
+
+    Parameters
+    ----------
+    path : str or path-like
+        The ending tells the format. VTK reads .vtk .vtp .vtu .vti .vts .vtr .vtm .stl .ply .obj .g .gltf .glb; .xyz
+        .pwn .pts .txt .csv .asc are lists of points, with normals if there are six columns; .step .stp .iges .igs are
+        read as `read_nurbs` does; meshio, if it is installed, reads .off .msh .inp .med .mesh .bdf .xdmf and more.
+
+    Returns
+    -------
+    vtkDataObject
+        As it stands in the file: vtkPolyData for surfaces and clouds, other data sets for .vtu, .vti, .vtm and so on.
+
+    Raises
+    ------
+    FileError
+        If there is no such file, or if it holds nothing that can be read.
+    """
+    path = pathlib.Path(path)
+    suffix = path.suffix.lower()
+    if suffix in CAD_FILES:
+        return read_nurbs(path)
+    if suffix in READERS:
+        return _read(path, lambda: _read_by_vtk(path, READERS[suffix]()))
+    return _read(path, lambda: (_read_points if suffix in POINT_LISTS else _read_by_meshio)(path))
+
+
+def read_nurbs(path, chord_error=1e-3):
+    """Read a CAD file: facets, and the exact surfaces (rational B-splines) behind them, for the point set recipes.
+
+    Parameters
+    ----------
+    path : str or path-like
+        A .step, .stp, .iges or .igs file.
+    chord_error : float, optional
+        How far facets may be from their surfaces, as a share of the diagonal of the whole.
+
+    Returns
+    -------
+    vtkPolyData
+        In millimetres. Cell arrays ``FaceId`` and ``SolidId``, point array ``UV``; the field data have the surfaces
+        and, among others, ``NumberOfSolids``, ``Closed`` and the measured ``ChordError``.
+
+    Raises
+    ------
+    FileError
+        If the file cannot be read.
+
+    Warns
+    -----
+    SurfaceBooleansWarning
+        If the facets are not closed, or some faces not exact.
+
+    References
+    ----------
+    L. Piegl, W. Tiller, "The NURBS Book", 2nd edition, Springer, 1997.
+    """
+    path = pathlib.Path(path)
+    if path.suffix.lower() not in CAD_FILES:
+        raise FileError(f"{path}: CAD files end in {', '.join(CAD_FILES)}")
+    if path.suffix.lower() not in READERS:
+        raise FileError(f"{path}: this build reads no CAD files; it was made without Open CASCADE")
+    return _read(path, lambda: _read_by_vtk(path, configure(READERS[path.suffix.lower()](), ChordError=chord_error)))
+
+
+def write(data, path):
+    """Write a mesh, curves, a cloud or an image. The file appears when it is complete.
+
+    Parameters
+    ----------
+    data : mesh
+        `surfacebooleans.meshes` says what that is.
+    path : str or path-like
+        The ending tells the format: .vtk, .vtp, .stl, .ply, .obj, .vti; .step and .stp for facets that have exact
+        surfaces; with meshio also .off, .msh and more.
+
+    Raises
+    ------
+    FileError
+        If the format is not known or cannot hold the data, or the file cannot be written.
+    """
+    path, data = pathlib.Path(path), as_data(data)
+    suffix = path.suffix.lower()
+    _check_format(path, data)
+    # The name of the unfinished file ends alike, because meshio goes by it.
+    unfinished = path.with_name(f".{path.stem}.unfinished{path.suffix}")
+    try:
+        unfinished.touch()
+        if suffix in WRITERS:
+            _write_by_vtk(unfinished, data, WRITERS[suffix]())
+        elif suffix == ".obj":
+            _write_obj(unfinished, data)
+        else:
+            _write_by_meshio(unfinished, data)
+        os.replace(unfinished, path)
+    except (SurfaceBooleansError, OSError, ValueError) as error:
+        text = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+        raise FileError(f"{path}: cannot be written: {text}") from error
+    finally:
+        with contextlib.suppress(OSError):
+            unfinished.unlink()
+
+
+def _read(path, reading):
+    """The data of a file; whatever goes wrong is told with the file's name."""
+    if not path.is_file():
+        raise FileError(f"{path}: there is no such file")
+    try:
+        data = reading()
+    except FileError:
+        raise
+    except (SurfaceBooleansError, OSError, ValueError) as error:
+        raise FileError(f"{path}: {error}") from error
+    if data is None or data.GetNumberOfElements(vtkDataObject.POINT) == 0:
+        raise FileError(f"{path}: no points in it; is it a {path.suffix} file?")
+    return data
+
+
+# ---- VTK ---------------------------------------------------------------------------------------
+
+
+@contextlib.contextmanager
+def _messages_caught():
+    """What VTK's readers have to say beyond what their listeners hear is an error, too, and not for the terminal."""
+    usual, caught = vtkOutputWindow.GetInstance(), vtkStringOutputWindow()
+    verbosity = vtkLogger.ConvertToVerbosity(vtkLogger.GetCurrentVerbosityCutoff())
+    vtkOutputWindow.SetInstance(caught)
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+    try:
+        yield
+    finally:
+        vtkOutputWindow.SetInstance(usual)
+        vtkLogger.SetStderrVerbosity(verbosity)
+    error = re.search(r"ERROR: In .*\n\w+ \(\w+\): (.*)", caught.GetOutput())
+    if error:
+        raise SurfaceBooleansError(error.group(1))
+
+
+def _read_by_vtk(path, reader):
+    if path.suffix.lower() == ".stl":
+        _check_length_of_stl(path)
+    if path.suffix.lower().startswith(".vt") and has_appended_data(path):
+        reader.ReadFromInputStringOn()
+        reader.SetInputString(inlined(path.read_bytes()))
+    else:
+        reader.SetFileName(str(path))
+    with _messages_caught():
+        update(reader)
+    return reader.GetOutputDataObject(0)
+
+
+def _check_length_of_stl(path):
+    """A binary STL file that was cut off; vtkSTLReader takes what is there without a word."""
+    with open(path, "rb") as file:
+        head = file.read(84)
+    if head.lstrip()[:5].lower() == b"solid" or len(head) < 84:
+        return
+    promised, present = int.from_bytes(head[80:], "little"), (path.stat().st_size - 84) // 50
+    if present < promised:
+        raise FileError(f"{path}: the file ends after {present:,} of {promised:,} triangles")
+
+
+def _check_format(path, data):
+    suffix = path.suffix.lower()
+    if suffix not in WRITERS and suffix != ".obj" and suffix not in _suffixes_of_meshio():
+        known = " ".join(sorted({*WRITERS, ".obj"}))
+        hint = "" if _meshio() else "; with meshio there are more (pip install meshio)"
+        raise FileError(
+            f"{path}: the format {suffix or 'without an ending'} cannot be written; these can: {known}{hint}"
+        )
+    if isinstance(data, vtkImageData) != (suffix == ".vti") and suffix != ".vtk":
+        holds = "images only" if suffix == ".vti" else "no images"
+        raise FileError(f"{path}: {suffix} holds {holds}; choose .{'vtp' if suffix == '.vti' else 'vti'} or .vtk")
+    if suffix in SURFACES_ONLY and data.GetNumberOfPolys() == 0 and data.GetNumberOfCells() > 0:
+        raise FileError(
+            f"{path}: {suffix} holds surfaces only, and these are lines or points; choose .vtp, .vtk or .ply"
+        )
+
+
+def _write_by_vtk(path, data, writer):
+    if hasattr(writer, "SetDataModeToBinary"):
+        writer.SetDataModeToBinary()  # not appended, which VTK 9.2 cannot read back where expat is newer
+    elif hasattr(writer, "SetFileTypeToBinary"):
+        writer.SetFileTypeToBinary()
+    writer.SetFileName(str(path))
+    writer.SetInputDataObject(data)
+    update(writer, work=writer.Write)
+
+
+def _write_obj(path, data):
+    """Points with all their digits, where vtkOBJWriter has six."""
+    with open(path, "w", encoding="ascii") as file:
+        np.savetxt(file, points_of(data), fmt="v %.17g %.17g %.17g")
+        for letter, cells in (("f", data.GetPolys()), ("l", data.GetLines())):
+            ids = vtk_to_numpy(cells.GetConnectivityArray()) + 1
+            offsets = vtk_to_numpy(cells.GetOffsetsArray())
+            for begin, end in zip(offsets[:-1], offsets[1:]):
+                file.write(f"{letter} {' '.join(map(str, ids[begin:end]))}\n")
+
+
+# ---- lists of points ---------------------------------------------------------------------------
+
+
+def _read_points(path):
+    """A point a line: x y z, or x y z and its normal; spaces or commas between them. A first line that is not such, a
+    header or the number of points, is passed over."""
+    with open(path, encoding="utf-8", errors="replace") as file:
+        lines = [line for line in file if line.strip() and line.lstrip()[0] not in "#/"]
+    delimiter = "," if lines and "," in lines[-1] else None
+    numbers = len(lines[-1].split(delimiter)) if lines else 0
+    if lines and not _are_numbers(lines[0].split(delimiter), numbers):
+        lines = lines[1:]
+    table = np.loadtxt(lines, delimiter=delimiter, ndmin=2) if lines else np.zeros((0, 3))
+    if table.shape[1] < 3:
+        raise ValueError("each line has to have the three coordinates of a point")
+    return polydata(table[:, :3], normals=table[:, 3:6] if table.shape[1] == 6 else None)
+
+
+def _are_numbers(words, count):
+    with contextlib.suppress(ValueError):
+        return len(words) == count and bool([float(word) for word in words])
+    return False
+
+
+# ---- meshio ------------------------------------------------------------------------------------
+
+
+def _meshio():
+    try:
+        import meshio
+    except ImportError:
+        return None
+    return meshio
+
+
+def _suffixes_of_meshio():
+    meshio = _meshio()
+    return tuple(meshio.extension_to_filetypes) if meshio else ()
+
+
+def _read_by_meshio(path):
+    """By way of a .vtu file, which both know."""
+    meshio = _meshio()
+    if path.suffix.lower() not in _suffixes_of_meshio():
+        hint = "" if meshio else "; with meshio there are more (pip install meshio)"
+        raise FileError(
+            f"{path}: the format {path.suffix or 'without an ending'} is not known; these are: "
+            f"{' '.join(readable_suffixes())}{hint}"
+        )
+    with tempfile.TemporaryDirectory() as folder:
+        between = pathlib.Path(folder, "mesh.vtu")
+        try:
+            with contextlib.redirect_stdout(None), contextlib.redirect_stderr(None):
+                meshio.write(between, meshio.read(path))
+        except (Exception, SystemExit) as error:  # its readers fail in every way, and some end the program
+            raise FileError(f"{path}: meshio cannot read it: {error}") from error
+        return _read_by_vtk(between, vtkXMLUnstructuredGridReader())
+
+
+def _write_by_meshio(path, data):
+    """Triangles and segments, with all arrays of numbers."""
+    cutter = vtkTriangleFilter()
+    cutter.SetInputData(data)
+    cutter.PassVertsOff()
+    cutter.Update()
+    simple = cutter.GetOutput()
+    cells = [
+        (kind, vtk_to_numpy(part.GetConnectivityArray()).reshape(-1, size))
+        for kind, part, size in (("line", simple.GetLines(), 2), ("triangle", simple.GetPolys(), 3))
+        if part.GetNumberOfCells()
+    ]
+    attributes = simple.GetPointData()
+    arrays = (attributes.GetArray(k) for k in range(attributes.GetNumberOfArrays()))
+    point_data = {array.GetName(): vtk_to_numpy(array) for array in arrays if array and array.GetName()}
+    meshio = _meshio()
+    try:
+        with contextlib.redirect_stdout(None), contextlib.redirect_stderr(None):
+            meshio.write(path, meshio.Mesh(points_of(simple).astype(float), cells, point_data=point_data))
+    except (Exception, SystemExit) as error:
+        raise FileError(f"meshio cannot write it: {error}") from error

@@ -1,0 +1,295 @@
+# SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Recipes for ParaView's window: macros and buttons call them, and so may scripts.
+
+Each takes the sources that are selected in the Pipeline Browser (the first one is the Input, the second one the Tool;
+select several with Ctrl), makes the filter, shows its result in telling colours, hides what it is made of, and returns
+the filter. What is wrong is said in the Output Messages; None is returned then.
+
+    from surfacebooleans import gui
+    gui.boolean("Difference")
+"""
+
+import functools
+
+from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import vtkOutputWindow
+
+from surfacebooleans.distance_map import show_distance
+
+BLUE, RED, INK = [0.22, 0.47, 0.86], [0.90, 0.20, 0.15], [0.08, 0.10, 0.16]
+MORE_COLOURS = [[0.95, 0.77, 0.20], [0.30, 0.69, 0.40], [0.58, 0.40, 0.74], [0.55, 0.47, 0.40]]
+SEE_THROUGH = 0.25  # opacity of what is only there for comparison
+
+
+class _CannotStart(Exception):
+    """There is nothing to work on; the text says what to do."""
+
+
+def _told(recipe):
+    """What keeps a recipe from starting is told in the Output Messages, not raised."""
+
+    @functools.wraps(recipe)
+    def telling(*arguments, **options):
+        try:
+            return recipe(*arguments, **options)
+        except _CannotStart as reason:
+            vtkOutputWindow.GetInstance().DisplayErrorText(f"{reason}\n")
+            return None
+
+    return telling
+
+
+# ---- the recipes -------------------------------------------------------------------------------
+
+
+@_told
+def boolean(operation="Union", sources=None):
+    """Surface Boolean of the selected sources, coloured by where its cells come from: blue Input, red Tool.
+
+    Parameters
+    ----------
+    operation : {"Union", "Intersection", "Difference", "Symmetric Difference", "Resolve"}, optional
+    sources : list of proxies, optional
+        Instead of the selected ones; all after the first one are Tools.
+
+    Returns
+    -------
+    proxy or None
+        The filter; None if too few sources are selected.
+    """
+    least = 1 if operation == "Resolve" else 2
+    sources = _sources(sources, least, None, f"{operation} takes the first one as Input, all others as Tools")
+    result = simple.SurfaceBoolean(registrationName=operation, Input=sources[:1], Tool=sources[1:], Operation=operation)
+    if _has_result(result):
+        _show_sources(result, sources)
+        _hide(sources)
+    return _finished(result)
+
+
+@_told
+def curves(sources=None):
+    """The curves in which the two selected sources meet (or one meets itself), thick, in the surfaces seen through.
+
+    Parameters
+    ----------
+    sources : list of proxies, optional
+        Instead of the selected ones: one or two.
+
+    Returns
+    -------
+    proxy or None
+        The filter Surface Intersection.
+    """
+    sources = _sources(sources, 1, 2, "the curves of two surfaces, or of one with itself")
+    result = simple.SurfaceIntersection(registrationName="Curves", Input=sources[0], Tool=sources[1:])
+    if _has_result(result):
+        for source, colour in zip(sources, (BLUE, RED)):
+            _show_through(source, colour)
+        display = simple.Show(simple.OutputPort(result, 0), _view())
+        _paint(display, INK)
+        display.LineWidth = 4
+        display.RenderLinesAsTubes = 1
+    return _finished(result)
+
+
+@_told
+def distance_map(sources=None, histogram=True):
+    """The first selected source coloured by its distance to the second one: blue inside, white on it, red outside.
+
+    Parameters
+    ----------
+    sources : list of proxies, optional
+        Instead of the selected ones: what is measured, and the surface.
+    histogram : bool, optional
+        Whether to show how often each distance occurs in a view beside.
+
+    Returns
+    -------
+    proxy or None
+        The filter Surface Distance.
+    """
+    sources = _sources(sources, 2, 2, "the first one is measured, the second one is the surface")
+    result = simple.SurfaceDistance(registrationName="Distance", Input=sources[0], Tool=sources[1])
+    if _has_result(result):
+        view = _view()
+        show_distance(result, view)
+        _hide(sources[:1])
+        _show_through(sources[1], [0.7, 0.7, 0.7])
+        if histogram:
+            _show_histogram(result, view)
+    return _finished(result)
+
+
+@_told
+def clip(sources=None):
+    """The selected source clipped by a plane through its middle, with caps of another colour; the plane can be dragged.
+
+    Parameters
+    ----------
+    sources : list of proxies, optional
+        Instead of the selected one.
+
+    Returns
+    -------
+    proxy or None
+        The filter Closed Surface Clip.
+    """
+    (source,) = _sources(sources, 1, 1, "the closed surface to clip")
+    bounds = source.GetDataInformation().GetBounds()
+    middle = [(low + high) / 2 for low, high in zip(bounds[::2], bounds[1::2])]
+    result = simple.ClosedSurfaceClip(
+        registrationName="Clip", Input=source, Origin=middle, Normal=_axis_away_from(_view())
+    )
+    if _has_result(result):
+        _show_sources(result, [source, "Cap"])
+        _hide([source])
+    return _finished(result)
+
+
+@_told
+def point_cloud(sources=None):
+    """The smooth surface of the selected cloud of points; with a second source, the cloud's solid without that body.
+
+    The surface is coloured by its mean curvature, the difference by where it comes from: blue cloud, red body.
+
+    Parameters
+    ----------
+    sources : list of proxies, optional
+        Instead of the selected ones: a cloud, and a closed surface.
+
+    Returns
+    -------
+    proxy or None
+        The filter Point Set Surface or Point Set Boolean.
+    """
+    sources = _sources(sources, 1, 2, "a cloud of points, and a body to take away from it if there is one")
+    if len(sources) == 2:
+        result = simple.PointSetBoolean(
+            registrationName="Point Cloud", Input=sources[0], Tool=sources[1], Operation="Difference"
+        )
+        if _has_result(result):
+            _show_sources(result, sources)
+            _hide(sources)
+        return _finished(result)
+    result = simple.PointSetSurface(registrationName="Point Cloud", Input=sources[0], GenerateSurface=1)
+    if _has_result(result):
+        mesh, view = simple.OutputPort(result, 1), _view()
+        display = simple.Show(mesh, view)
+        display.Representation = "Surface"
+        _colour_about_zero(display, "MeanCurvature", mesh, view)
+        simple.Hide(simple.OutputPort(result, 0), view)
+        _hide(sources)
+    return _finished(result)
+
+
+# ---- what they share ---------------------------------------------------------------------------
+
+
+def _sources(sources, least, most, what):
+    """The given or the selected sources, up to date; refused if they are too few or too many."""
+    sources = simple.active_objects.get_selected_sources() if sources is None else list(sources)
+    if len(sources) < least or (most is not None and len(sources) > most):
+        count = {1: "one source", 2: "two sources"}[least]
+        count = count if most == least else f"{count} or more" if most is None else "one or two sources"
+        raise _CannotStart(
+            f"Select {count} in the Pipeline Browser first (Ctrl and click adds one): {what}. "
+            f"Selected are {len(sources)}."
+        )
+    for source in sources:
+        source.UpdatePipeline()
+    return sources
+
+
+def _has_result(result):
+    """Update a filter. False if nothing came out of it: ParaView has shown the error then, or it is told here."""
+    result.UpdatePipeline()
+    ports = range(result.SMProxy.GetNumberOfOutputPorts())
+    if any(result.GetDataInformation(port).GetNumberOfPoints() for port in ports):
+        return True
+    if result.FieldData["Status"].GetRange()[0] == 0:
+        vtkOutputWindow.GetInstance().DisplayWarningText(f"{_name(result)}: the result is empty.\n")
+    return False
+
+
+def _finished(result):
+    simple.SetActiveSource(result)
+    simple.Render(_view())
+    return result
+
+
+def _view():
+    return simple.GetActiveViewOrCreate("RenderView")
+
+
+def _axis_away_from(view):
+    """The axis along which the camera looks most: a cap across it is seen in full."""
+    ahead = [to - at for at, to in zip(view.CameraPosition, view.CameraFocalPoint)]
+    most = max(range(3), key=lambda k: abs(ahead[k]))
+    return [(1.0 if ahead[k] > 0 else -1.0) if k == most else 0.0 for k in range(3)]
+
+
+def _hide(sources):
+    for source in sources:
+        simple.Hide(source, _view())
+
+
+def _name(source):
+    if isinstance(source, str):
+        return source
+    return servermanager.ProxyManager().GetProxyName("sources", source) or "Input"
+
+
+def _show_sources(result, sources):
+    """Show a filter's surface with a colour for each source, and their names in the legend."""
+    view = _view()
+    display = simple.Show(simple.OutputPort(result, 0), view)
+    display.Representation = "Surface"
+    simple.ColorBy(display, ("CELLS", "SourceId"), separate=True)
+    table = simple.GetColorTransferFunction("SourceId", display, separate=True)
+    colours = [BLUE, RED, *MORE_COLOURS]
+    table.InterpretValuesAsCategories = 1
+    table.Annotations = [text for k, source in enumerate(sources) for text in (str(k), _name(source))]
+    table.IndexedColors = [part for k in range(len(sources)) for part in colours[k % len(colours)]]
+    display.SetScalarBarVisibility(view, True)
+    bar = simple.GetScalarBar(table, view)
+    bar.Title, bar.ComponentTitle = "", ""
+
+
+def _show_through(source, colour):
+    """Show a source in one colour, so that one can see what is behind and inside of it."""
+    display = simple.Show(source, _view())
+    display.Representation = "Surface"
+    _paint(display, colour)
+    display.Opacity = SEE_THROUGH
+
+
+def _paint(display, colour):
+    """One colour for all of it."""
+    display.ColorArrayName = ["POINTS", ""]
+    display.AmbientColor = display.DiffuseColor = colour
+
+
+def _colour_about_zero(display, array, data, view):
+    """Colours that diverge about zero."""
+    simple.ColorBy(display, ("POINTS", array))
+    table = simple.GetColorTransferFunction(array)
+    table.ApplyPreset("Cool to Warm", True)
+    largest = max(abs(end) for end in data.PointData[array].GetRange()) or 1.0
+    table.RescaleTransferFunction(-largest, largest)
+    display.SetScalarBarVisibility(view, True)
+
+
+def _show_histogram(result, view):
+    """How often each distance occurs, in a view below, in the same colours."""
+    layout, chart = simple.GetLayout(view), simple.CreateView("XYHistogramChartView")
+    place = layout.SplitVertical(layout.GetViewLocation(view), 0.7)
+    layout.AssignView(place + 1, chart)
+    bars = simple.Show(simple.OutputPort(result, 0), chart)
+    bars.SelectInputArray = ["POINTS", "Distance"]
+    bars.BinCount = 60
+    bars.LookupTable = simple.GetColorTransferFunction("Distance")
+    bars.UseColorMapping = 1
+    chart.ShowLegend = 0
+    chart.LeftAxisTitle, chart.BottomAxisTitle = "Points", "Distance"
+    simple.SetActiveView(view)
