@@ -27,7 +27,6 @@ namespace sb
 namespace
 {
 
-constexpr double CellInSpacings = 2.0;
 constexpr double ChordInSpacings = 0.1; ///< of the refined tool
 constexpr double SpeckInCells = 4.0; ///< parts of the cloud's mesh not longer than this are noise
 constexpr double LeastWindingOfScan = -0.25; ///< below it, the scan's normals point inwards
@@ -45,7 +44,8 @@ public:
     : Request(request)
     , Surface(*request.Cloud->Surface)
     , Spacing(request.Cloud->Spacing)
-    , Cell(request.Cell > 0.0 ? request.Cell : CellInSpacings * request.Cloud->Spacing)
+    , Cell(request.Cell > 0.0 ? request.Cell
+                              : CellSizeFor(*request.Cloud->Surface, request.Cloud->Spacing))
     , Threads(executor)
     , Watch(monitor)
   {

@@ -552,8 +552,8 @@ FaceSection SectionOfFace(const FaceSectionRequest& request,
   const NURBSSurface& patch = designed.Patches[static_cast<std::size_t>(face)];
   const TrimmedDomain domain(designed, triangles);
   const double cell = LargestCell * request.Spacing;
-  const PatchQuadtree tree(
-    patch, domain, surface.Samples(), { ReachInWidths * surface.LargestWidth(), cell }, executor, monitor);
+  const PatchQuadtree tree(patch, domain, surface.Samples(),
+    { ReachInWidths * surface.LargestWidth(), cell }, executor, monitor);
   if (tree.NumberOfCells() == 0 || monitor.Aborted())
   {
     return section;

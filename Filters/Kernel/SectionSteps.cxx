@@ -25,8 +25,8 @@ double SectionSteps::Walk(const std::vector<Real3>& points, std::vector<Real3>& 
   const std::size_t fewest = points.front() == points.back() ? 3 : 1;
   std::vector<CurveNode> chosen;
   const double error = StepAlong(nodes,
-    { this->ChordError, LongestStep * this->Surface.NarrowWidth(), ShortestStep * this->Spacing }, fewest,
-    *this, chosen);
+    { this->ChordError, LongestStep * this->Surface.NarrowWidth(), ShortestStep * this->Spacing },
+    fewest, *this, chosen);
   for (const CurveNode& node : chosen)
   {
     curve.push_back(node.Point);
