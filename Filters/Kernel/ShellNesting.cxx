@@ -113,8 +113,8 @@ private:
     std::vector<WindingQuery> queries;
     for (const std::int32_t shell : shells)
     {
-      queries.push_back(
-        { placement.Place(this->Probed[std::size_t(shell)], -1, attempt), 0, 0, false });
+      const auto line = placement.Place(this->Probed[std::size_t(shell)], -1, attempt);
+      queries.push_back({ *line, 0, 0, false }); // a whole face always has a place
     }
     std::vector<FaceAbove> above;
     AnswerQueries(this->World, this->Collapsed, queries, this->Threads, &above);
