@@ -27,12 +27,13 @@ class FaceBranches
 {
 public:
   FaceBranches(const FaceSectionRequest& request, const NURBSSurface& patch,
-    const PatchQuadtree& tree, Executor& executor)
+    const PatchQuadtree& tree, Executor& executor, Monitor& monitor)
     : Surface(request.Surface)
     , Tolerance(request.Tolerance)
     , Patch(patch)
     , Tree(tree)
     , Threads(executor)
+    , Watch(monitor)
   {
     this->EvaluateVertices();
     this->ListRings();
@@ -89,8 +90,8 @@ private:
     this->Threads.For(
       static_cast<std::int64_t>(count), Grain, [&](std::int64_t begin, std::int64_t end) {
         MovingLeastSquares::Neighbourhood near;
-        for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end);
-             ++i)
+        for (std::size_t i = static_cast<std::size_t>(begin);
+             i < static_cast<std::size_t>(end) && !this->Watch.Aborted(); ++i)
         {
           const Parameters at = this->Tree.ParametersOf(i);
           const PatchPoint p = this->Evaluate(at, 1);
@@ -258,8 +259,8 @@ private:
     this->Threads.For(static_cast<std::int64_t>(this->Edges.size()), Grain,
       [&](std::int64_t begin, std::int64_t end) {
         MovingLeastSquares::Neighbourhood near;
-        for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end);
-             ++i)
+        for (std::size_t i = static_cast<std::size_t>(begin);
+             i < static_cast<std::size_t>(end) && !this->Watch.Aborted(); ++i)
         {
           this->FindRoot(i, near);
         }
@@ -344,6 +345,7 @@ private:
   const NURBSSurface& Patch;
   const PatchQuadtree& Tree;
   Executor& Threads;
+  Monitor& Watch;
   std::vector<double> Values; ///< of vertices; NaN where there is none
   std::vector<std::uint8_t> IsParallel; ///< vertices that are near the surface and its tangents
   std::vector<std::uint32_t> Rings; ///< of all cells, one after another
@@ -558,7 +560,7 @@ FaceSection SectionOfFace(const FaceSectionRequest& request,
   {
     return section;
   }
-  FaceBranches branches(request, patch, tree, executor);
+  FaceBranches branches(request, patch, tree, executor, monitor);
   section.CoincidentArea = branches.CoincidentArea();
   Trimming trimming(surface, patch, domain, face, cell);
   for (const FaceBranches::Branch& branch : branches.Branches())
