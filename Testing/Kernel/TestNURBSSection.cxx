@@ -165,6 +165,39 @@ void CirclesOnASphere()
   }
 }
 
+/** Circles around the axis of a torus: with a cylinder through the middle of its tube, with its
+ * equatorial plane, and with a sphere about its centre. */
+void CirclesOnATorus()
+{
+  std::mt19937 random(5);
+  const sb::CloudSurface made = clouds::SurfaceOf(clouds::Torus(30000, random));
+  const auto areCircles = [&](const DesignedSurface& designed, std::vector<double> radii) {
+    const NURBSSection section = SectionOf(made, designed, 1e-4);
+    CheckCurves(made, designed, section, 1e-4);
+    CHECK_EQUAL(section.Curves.size(), radii.size());
+    for (const NURBSCurve& curve : section.Curves)
+    {
+      CHECK(curve.Closed);
+      const double radius = LengthOf(curve) / (2.0 * clouds::Pi);
+      const auto found = std::find_if(
+        radii.begin(), radii.end(), [&](double r) { return std::abs(r - radius) < 1e-3; });
+      CHECK(found != radii.end());
+      if (found != radii.end())
+      {
+        radii.erase(found);
+      }
+      for (const Real3& x : curve.Points)
+      {
+        CHECK(std::abs(clouds::DistanceToTorus(x)) < 3e-4);
+      }
+    }
+  };
+  areCircles(OneFace(patches::Cylinder(1.0, 2.0)), { 1.0, 1.0 });
+  areCircles(
+    OneFace(patches::Parallelogram({ -2, -2, 0 }, { 4, 0, 0 }, { 0, 4, 0 })), { 0.6, 1.4 });
+  areCircles(OneFace(patches::Sphere(1.0)), { 0.92, 0.92 }); // r = (1 + 1 - 0.16) / 2
+}
+
 double DistanceToCurve(const Real3& x, const NURBSCurve& curve)
 {
   double least = 1e300;
@@ -691,6 +724,7 @@ void Aborts()
 int main()
 {
   CirclesOnASphere();
+  CirclesOnATorus();
   TrimmedPatches();
   CheckeredFaces();
   OverEdges();
