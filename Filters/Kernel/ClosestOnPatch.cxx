@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClosestOnPatch.h"
 
+#include "PatchBounds.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -14,7 +17,7 @@ namespace
 
 constexpr int MostIterations = 60;
 constexpr int MostHalvings = 30;
-constexpr std::size_t Candidates = 16;
+constexpr double Negligible = 1e-17;
 
 /** Half of the squared distance, as a function of u and v at a place. */
 struct Descent
@@ -65,24 +68,93 @@ struct Descent
   }
 };
 
-/** Places to start from: in all spans more than their degree asks for, at least sixteen in all.
- * None is on the border, which may be a single point, from where no parameter leads anywhere. */
-std::vector<double> Starts(const std::vector<double>& knots, int degree, int count)
+/** A part of the patch that may hold a closer point. */
+struct Part
 {
-  std::vector<double> starts;
-  const auto first = knots.begin() + degree;
-  const auto last = knots.begin() + count;
-  const int spans = count - degree;
-  const int each = std::max(2 * (degree + 1), (15 + spans) / spans);
-  for (auto knot = first; knot != last; ++knot)
+  double Bound; ///< all of it is at least so far
+  ParameterBox Box;
+
+  bool operator<(const Part& other) const { return this->Bound > other.Bound; }
+};
+
+/** Branch and bound: the part with the least bound is on top of a heap. */
+class GlobalSearch
+{
+public:
+  GlobalSearch(const NURBSSurface& patch, const Real3& x)
+    : Patch(patch)
+    , X(x)
   {
-    for (int k = 0; k < each && knot[0] < knot[1]; ++k)
-    {
-      starts.push_back(knot[0] + (knot[1] - knot[0]) * (k + 0.5) / each);
-    }
   }
-  return starts;
-}
+
+  PlaceOnPatch Run()
+  {
+    this->Best.Distance = std::numeric_limits<double>::max();
+    this->Add(
+      { this->Patch.FirstU(), this->Patch.LastU(), this->Patch.FirstV(), this->Patch.LastV() });
+    for (int k = 0; k < MostParts && !this->Parts.empty(); ++k)
+    {
+      std::pop_heap(this->Parts.begin(), this->Parts.end());
+      const Part part = this->Parts.back();
+      this->Parts.pop_back();
+      if (part.Bound >= Enough * this->Best.Distance)
+      {
+        break;
+      }
+      this->Split(part.Box);
+    }
+    return this->Best;
+  }
+
+private:
+  static constexpr int MostParts = 20000; ///< for points that are equally far from a whole area
+  static constexpr double Enough = 0.999;
+
+  void Add(const ParameterBox& box)
+  {
+    const double u = 0.5 * (box.FirstU + box.LastU);
+    const double v = 0.5 * (box.FirstV + box.LastV);
+    const Real3 away = Difference(EvaluatePatch(this->Patch, u, v, 0).Point, this->X);
+    const double distance = Length(away);
+    const double bound = distance > 0.0
+      ? std::max(0.0, LeastAlong(this->Patch, box, this->X, Scaled(away, 1.0 / distance)))
+      : 0.0;
+    if (bound >= Enough * this->Best.Distance)
+    {
+      return;
+    }
+    if (distance < this->Best.Distance)
+    {
+      const PlaceOnPatch place = ClosestOnPatchFrom(this->Patch, this->X, u, v);
+      this->Best = place.Distance < this->Best.Distance ? place : this->Best;
+    }
+    this->Parts.push_back({ bound, box });
+    std::push_heap(this->Parts.begin(), this->Parts.end());
+  }
+
+  /** Across the longer direction in space. */
+  void Split(const ParameterBox& box)
+  {
+    const PatchBounds bounds = BoundsOf(this->Patch, box);
+    ParameterBox lower = box;
+    ParameterBox upper = box;
+    if (bounds.LengthU >= bounds.LengthV)
+    {
+      lower.LastU = upper.FirstU = 0.5 * (box.FirstU + box.LastU);
+    }
+    else
+    {
+      lower.LastV = upper.FirstV = 0.5 * (box.FirstV + box.LastV);
+    }
+    this->Add(lower);
+    this->Add(upper);
+  }
+
+  const NURBSSurface& Patch;
+  const Real3 X;
+  PlaceOnPatch Best;
+  std::vector<Part> Parts;
+};
 
 } // namespace
 
@@ -102,6 +174,13 @@ PlaceOnPatch ClosestOnPatchFrom(const NURBSSurface& patch, const Real3& x, doubl
     };
     const auto [stepU, stepV] = d.Step(isHeld(u, patch.FirstU(), patch.LastU(), d.SlopeU),
       isHeld(v, patch.FirstV(), patch.LastV(), d.SlopeV));
+    // What is left to gain, squared, against rounding of the distance.
+    const double gain = -(stepU * d.SlopeU + stepV * d.SlopeV);
+    const double rounding = std::numeric_limits<double>::epsilon() * Length(d.At.Point);
+    if (!(gain > std::max(Negligible * place.Distance * place.Distance, rounding * rounding)))
+    {
+      break;
+    }
     double factor = 1.0;
     bool moved = false;
     for (int halving = 0; halving < MostHalvings && !moved; ++halving, factor *= 0.5)
@@ -126,53 +205,7 @@ PlaceOnPatch ClosestOnPatchFrom(const NURBSSurface& patch, const Real3& x, doubl
 
 PlaceOnPatch ClosestOnPatch(const NURBSSurface& patch, const Real3& x)
 {
-  struct Start
-  {
-    double Distance;
-    double U;
-    double V;
-  };
-  const std::vector<double> us = Starts(patch.KnotsU, patch.DegreeU, patch.CountU);
-  const std::vector<double> vs = Starts(patch.KnotsV, patch.DegreeV, patch.CountV);
-  std::vector<double> distances(us.size() * vs.size());
-  for (std::size_t i = 0; i < us.size(); ++i)
-  {
-    for (std::size_t j = 0; j < vs.size(); ++j)
-    {
-      distances[i * vs.size() + j] =
-        Length(Difference(EvaluatePatch(patch, us[i], vs[j], 0).Point, x));
-    }
-  }
-  // Those that no neighbour on the grid is closer than.
-  std::vector<Start> starts;
-  for (std::size_t i = 0; i < us.size(); ++i)
-  {
-    for (std::size_t j = 0; j < vs.size(); ++j)
-    {
-      const double own = distances[i * vs.size() + j];
-      const bool isLeast = (i == 0 || own < distances[(i - 1) * vs.size() + j]) &&
-        (i + 1 == us.size() || own <= distances[(i + 1) * vs.size() + j]) &&
-        (j == 0 || own < distances[i * vs.size() + j - 1]) &&
-        (j + 1 == vs.size() || own <= distances[i * vs.size() + j + 1]);
-      if (isLeast)
-      {
-        starts.push_back({ own, us[i], vs[j] });
-      }
-    }
-  }
-  std::stable_sort(starts.begin(), starts.end(),
-    [](const Start& a, const Start& b) { return a.Distance < b.Distance; });
-  starts.resize(std::min(starts.size(), Candidates));
-  PlaceOnPatch best;
-  for (std::size_t k = 0; k < starts.size(); ++k)
-  {
-    const PlaceOnPatch place = ClosestOnPatchFrom(patch, x, starts[k].U, starts[k].V);
-    if (k == 0 || place.Distance < best.Distance)
-    {
-      best = place;
-    }
-  }
-  return best;
+  return GlobalSearch(patch, x).Run();
 }
 
 } // namespace sb

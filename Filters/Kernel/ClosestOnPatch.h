@@ -24,7 +24,8 @@ struct PlaceOnPatch
  * Gauss and Newton) reaches from u and v within the domain. */
 PlaceOnPatch ClosestOnPatchFrom(const NURBSSurface& patch, const Real3& x, double u, double v);
 
-/** The closest of the local minima that are reached from samples of the whole patch. */
+/** The closest point of the whole patch: none is closer by more than a thousandth of the distance.
+ * Parts of the patch are bounded (PatchBounds.h), and split or dropped, the closest first. */
 PlaceOnPatch ClosestOnPatch(const NURBSSurface& patch, const Real3& x);
 
 } // namespace sb

@@ -109,13 +109,6 @@ double SineBetween(const Real3& gradient, const Real3& unitNormal)
   return steepness > 0.0 ? Length(Cross(gradient, unitNormal)) / steepness : 0.0;
 }
 
-Real3 UnitNormalOf(const Real3& a, const Real3& b, const Real3& c)
-{
-  const Real3 normal = Cross(Difference(b, a), Difference(c, a));
-  const double size = Length(normal);
-  return size > 0.0 ? Scaled(normal, 1.0 / size) : Real3{};
-}
-
 double CoincidenceTolerance::Value()
 {
   if (this->Known < 0.0)

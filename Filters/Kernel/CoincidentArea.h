@@ -29,9 +29,6 @@ constexpr double TangentialSine = 0.1;
 /** The sine of the angle between a triangle's plane and the surface of a function. */
 double SineBetween(const Real3& gradient, const Real3& unitNormal);
 
-/** The unit normal of a triangle, or 0 if it has no area. */
-Real3 UnitNormalOf(const Real3& a, const Real3& b, const Real3& c);
-
 /** How large the function may be where surfaces coincide. Found from samples when first asked for,
  * as that takes a while and is rarely needed. */
 class CoincidenceTolerance

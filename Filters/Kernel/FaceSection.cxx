@@ -27,12 +27,13 @@ class FaceBranches
 {
 public:
   FaceBranches(const FaceSectionRequest& request, const NURBSSurface& patch,
-    const PatchQuadtree& tree, Executor& executor)
+    const PatchQuadtree& tree, Executor& executor, Monitor& monitor)
     : Surface(request.Surface)
     , Tolerance(request.Tolerance)
     , Patch(patch)
     , Tree(tree)
     , Threads(executor)
+    , Watch(monitor)
   {
     this->EvaluateVertices();
     this->ListRings();
@@ -89,8 +90,8 @@ private:
     this->Threads.For(
       static_cast<std::int64_t>(count), Grain, [&](std::int64_t begin, std::int64_t end) {
         MovingLeastSquares::Neighbourhood near;
-        for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end);
-             ++i)
+        for (std::size_t i = static_cast<std::size_t>(begin);
+             i < static_cast<std::size_t>(end) && !this->Watch.Aborted(); ++i)
         {
           const Parameters at = this->Tree.ParametersOf(i);
           const PatchPoint p = this->Evaluate(at, 1);
@@ -258,8 +259,8 @@ private:
     this->Threads.For(static_cast<std::int64_t>(this->Edges.size()), Grain,
       [&](std::int64_t begin, std::int64_t end) {
         MovingLeastSquares::Neighbourhood near;
-        for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end);
-             ++i)
+        for (std::size_t i = static_cast<std::size_t>(begin);
+             i < static_cast<std::size_t>(end) && !this->Watch.Aborted(); ++i)
         {
           this->FindRoot(i, near);
         }
@@ -286,6 +287,7 @@ private:
     double high = 1.0;
     double t = std::clamp(least / (least - this->Values[second]), 0.0, 1.0);
     SurfaceValue f;
+    bool wasLast = false;
     for (int iteration = 0; iteration < 60; ++iteration)
     {
       const Parameters at{ a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]) };
@@ -299,10 +301,13 @@ private:
       const double next = newton >= low && newton <= high ? newton : 0.5 * (low + high);
       const double step = std::abs(next - t);
       t = next;
-      if (step < 1e-14 || std::abs(f.Value) < 1e-15 * this->Surface.Width())
+      // One step more than to what is negligible: it brings all that there are digits for.
+      const bool isLast = std::abs(f.Value) <= NegligibleValue(p.Point, this->Surface.Width());
+      if (step < 1e-14 || wasLast)
       {
         break;
       }
+      wasLast = isLast;
     }
     this->Supported[edge] =
       f.Where == Support::Defined || f.Where == Support::Contradicting ? 1 : 0;
@@ -340,6 +345,7 @@ private:
   const NURBSSurface& Patch;
   const PatchQuadtree& Tree;
   Executor& Threads;
+  Monitor& Watch;
   std::vector<double> Values; ///< of vertices; NaN where there is none
   std::vector<std::uint8_t> IsParallel; ///< vertices that are near the surface and its tangents
   std::vector<std::uint32_t> Rings; ///< of all cells, one after another
@@ -491,6 +497,7 @@ private:
     double t = crossing.AlongEdge;
     const Parameters start = at(t);
     const Real3 first = EvaluatePatch(this->Patch, start[0], start[1], 0).Point;
+    bool wasLast = false;
     for (int iteration = 0; iteration < 30; ++iteration)
     {
       const Parameters now = at(t);
@@ -504,11 +511,11 @@ private:
       {
         break;
       }
-      if (std::abs(f.Value) < 1e-15 * this->Surface.Width() ||
-        std::abs(step) * Length(tangent) < 1e-14 * this->Surface.Width())
+      if (wasLast)
       {
         return { p.Point, now[0], now[1] };
       }
+      wasLast = std::abs(f.Value) <= NegligibleValue(p.Point, this->Surface.Width());
       t += step;
     }
     // The border runs along the curve, or is a pole: the nearest point of the curve.
@@ -553,7 +560,7 @@ FaceSection SectionOfFace(const FaceSectionRequest& request,
   {
     return section;
   }
-  FaceBranches branches(request, patch, tree, executor);
+  FaceBranches branches(request, patch, tree, executor, monitor);
   section.CoincidentArea = branches.CoincidentArea();
   Trimming trimming(surface, patch, domain, face, cell);
   for (const FaceBranches::Branch& branch : branches.Branches())

@@ -17,8 +17,18 @@ namespace
 
 constexpr std::size_t NodesInPart = 96; ///< that one thread steps along at a time
 constexpr double LongestStep = 2.0; ///< in widths
-constexpr double SameInWidths = 1e-4; ///< points closer than that are no curve
+constexpr double PointInWidths = 1e-4; ///< a curve that is not longer is none
+constexpr double SameInWidths = 1e-6; ///< ends of pieces that are one point of a curve
 constexpr double ShortestStep = 1e-3; ///< in widths
+
+/** A piece with as few nodes as the bound allows. */
+struct SteppedPiece
+{
+  std::vector<CurveNode> Nodes;
+  double ChordError = 0.0;
+  double Residual = 0.0;
+  bool IsTangential = false;
+};
 
 /** The curve that a patch and the surface have in common. */
 class CommonCurve : public SteppedCurve
@@ -54,26 +64,23 @@ public:
     return common.Found ? CurveNode{ common.Point, common.U, common.V } : a;
   }
 
-  /** How far a node is from either surface. */
-  double ResidualOf(const CurveNode& node)
+  /** Take in how far a node is from either surface, and whether they touch there. */
+  void Measure(const CurveNode& node, SteppedPiece& piece)
   {
-    const Real3 onPatch = EvaluatePatch(this->Patch, node.U, node.V, 0).Point;
-    const double value = this->Surface.EvaluateAt(node.Point, 0, this->Near).Value;
-    return std::max(std::abs(value), Length(Difference(onPatch, node.Point)));
+    const PatchPoint p = EvaluatePatch(this->Patch, node.U, node.V, 1);
+    const SurfaceValue f = this->Surface.EvaluateAt(node.Point, 1, this->Near);
+    piece.Residual =
+      std::max({ piece.Residual, std::abs(f.Value), Length(Difference(p.Point, node.Point)) });
+    const Real3 normal = Cross(p.Du, p.Dv);
+    const double size = Length(normal);
+    piece.IsTangential = piece.IsTangential ||
+      (size > 0.0 && SineBetween(f.Gradient, Scaled(normal, 1.0 / size)) < TangentialSine);
   }
 
 private:
   const MovingLeastSquares& Surface;
   const NURBSSurface& Patch;
   MovingLeastSquares::Neighbourhood Near;
-};
-
-/** A piece with as few nodes as the bound allows. */
-struct SteppedPiece
-{
-  std::vector<CurveNode> Nodes;
-  double ChordError = 0.0;
-  double Residual = 0.0;
 };
 
 class PatchSectioning
@@ -166,6 +173,7 @@ private:
       whole.Nodes.insert(whole.Nodes.end(), part.Stepped.Nodes.begin(), part.Stepped.Nodes.end());
       whole.ChordError = std::max(whole.ChordError, part.Stepped.ChordError);
       whole.Residual = std::max(whole.Residual, part.Stepped.Residual);
+      whole.IsTangential = whole.IsTangential || part.Stepped.IsTangential;
     }
   }
 
@@ -182,10 +190,10 @@ private:
     part.Stepped.ChordError =
       StepAlong(nodes, { this->Request.ChordError, LongestStep * width, ShortestStep * width },
         fewest, curve, part.Stepped.Nodes);
-    part.Stepped.Residual = curve.ResidualOf(nodes.front());
+    curve.Measure(nodes.front(), part.Stepped);
     for (const CurveNode& node : part.Stepped.Nodes)
     {
-      part.Stepped.Residual = std::max(part.Stepped.Residual, curve.ResidualOf(node));
+      curve.Measure(node, part.Stepped);
     }
   }
 
@@ -214,26 +222,21 @@ private:
   {
     NURBSCurve curve;
     const SectionPiece& first = this->Pieces[static_cast<std::size_t>(from / 2)];
-    curve.Begin = from % 2 == 0 ? first.Begin : first.End;
+    curve.Ends[0] = from % 2 == 0 ? first.Begin : first.End;
     PieceEnd at = from;
     while (at >= 0 && !done[static_cast<std::size_t>(at / 2)])
     {
       const std::size_t piece = static_cast<std::size_t>(at / 2);
       done[piece] = 1;
       this->AddPiece(piece, at % 2 == 1, curve);
-      curve.End = at % 2 == 0 ? this->Pieces[piece].End : this->Pieces[piece].Begin;
+      curve.Ends[1] = at % 2 == 0 ? this->Pieces[piece].End : this->Pieces[piece].Begin;
       at = this->Partner[static_cast<std::size_t>(at ^ 1)];
     }
     curve.Closed = at == from || first.Begin == CurveEnd::None;
     if (curve.Closed)
     {
-      curve.Begin = curve.End = CurveEnd::None;
-      if (curve.Points.front() != curve.Points.back())
-      {
-        curve.Points.push_back(curve.Points.front());
-        curve.UV.push_back(curve.UV.front());
-        curve.FaceId.push_back(curve.FaceId.front());
-      }
+      curve.Ends.fill(CurveEnd::None);
+      this->CloseUp(curve);
     }
     if (this->IsCurve(curve))
     {
@@ -241,10 +244,33 @@ private:
     }
   }
 
+  bool AreOne(const Real3& a, const Real3& b) const
+  {
+    return Length(Difference(a, b)) <= SameInWidths * this->Surface.Width();
+  }
+
+  /** Let a loop end in its first point. */
+  void CloseUp(NURBSCurve& curve) const
+  {
+    if (curve.Points.size() > 1 && curve.Points.back() != curve.Points.front() &&
+      this->AreOne(curve.Points.back(), curve.Points.front()))
+    {
+      curve.Points.pop_back();
+      curve.UV.pop_back();
+      curve.FaceId.pop_back();
+    }
+    if (curve.Points.back() != curve.Points.front())
+    {
+      curve.Points.push_back(curve.Points.front());
+      curve.UV.push_back(curve.UV.front());
+      curve.FaceId.push_back(curve.FaceId.front());
+    }
+  }
+
   /** Where a curve passes a pole of a patch, pieces are left over that are points. */
   bool IsCurve(const NURBSCurve& curve) const
   {
-    const double least = SameInWidths * this->Surface.Width();
+    const double least = PointInWidths * this->Surface.Width();
     return std::any_of(curve.Points.begin(), curve.Points.end(),
       [&](const Real3& x) { return Length(Difference(x, curve.Points.front())) > least; });
   }
@@ -256,7 +282,10 @@ private:
     for (std::size_t k = 0; k < count; ++k)
     {
       const CurveNode& node = stepped.Nodes[backwards ? count - 1 - k : k];
-      if (!curve.Points.empty() && curve.Points.back() == node.Point)
+      const bool isSame = !curve.Points.empty() &&
+        (k == 0 ? this->AreOne(curve.Points.back(), node.Point)
+                : curve.Points.back() == node.Point);
+      if (isSame)
       {
         continue; // where the piece before it ended, or all of a piece that is a point
       }
@@ -266,6 +295,7 @@ private:
     }
     curve.LargestChordError = std::max(curve.LargestChordError, stepped.ChordError);
     curve.LargestResidual = std::max(curve.LargestResidual, stepped.Residual);
+    curve.IsTangential = curve.IsTangential || stepped.IsTangential;
   }
 
   const MovingLeastSquares& Surface;

@@ -14,6 +14,7 @@
 
 #include "FaceSection.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -26,8 +27,8 @@ struct NURBSCurve
   std::vector<Parameters> UV; ///< of each point, in the patch of its face
   std::vector<std::int32_t> FaceId; ///< of each point
   bool Closed = false;
-  CurveEnd Begin = CurveEnd::None;
-  CurveEnd End = CurveEnd::None;
+  std::array<CurveEnd, 2> Ends{ CurveEnd::None, CurveEnd::None };
+  bool IsTangential = false; ///< somewhere the surfaces meet at an angle below 0.1
   double LargestChordError = 0.0; ///< as measured
   double LargestResidual = 0.0; ///< distance of a point from either surface, as measured
 };

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace sb
@@ -234,7 +235,47 @@ PatchBounds BoundsOfPoles(const NURBSSurface& surface, const Spans& u, const Spa
   return bounds;
 }
 
+/** Call visit(net) for one net, of the poles as they are, or for a Bezier net of each span. */
+template <class Visit>
+void ForNets(const NURBSSurface& surface, const Spans& u, const Spans& v, const Visit& visit)
+{
+  if (u.Count * v.Count > MostParts)
+  {
+    Net net = PolesOf(surface, u.Begin, u.End - 1, v.Begin, v.End - 1);
+    visit(net);
+    return;
+  }
+  for (std::size_t spanU = u.Begin; spanU < u.End; ++spanU)
+  {
+    for (std::size_t spanV = v.Begin; spanV < v.End; ++spanV)
+    {
+      if (!u.IsEmpty(spanU) && !v.IsEmpty(spanV))
+      {
+        Net net = PolesOf(surface, spanU, spanU, spanV, spanV);
+        MakeBezier(u, spanU, v, spanV, net);
+        visit(net);
+      }
+    }
+  }
+}
+
 } // namespace
+
+double LeastAlong(
+  const NURBSSurface& surface, const ParameterBox& box, const Real3& x, const Real3& direction)
+{
+  const Spans u(surface.KnotsU, surface.DegreeU, surface.CountU, box.FirstU, box.LastU);
+  const Spans v(surface.KnotsV, surface.DegreeV, surface.CountV, box.FirstV, box.LastV);
+  double least = std::numeric_limits<double>::max();
+  ForNets(surface, u, v, [&](const Net& net) {
+    for (const Pole& pole : net.Poles)
+    {
+      const Real3 place{ pole[0] / pole[3], pole[1] / pole[3], pole[2] / pole[3] };
+      least = std::min(least, Dot(Difference(place, x), direction));
+    }
+  });
+  return least;
+}
 
 PatchBounds BoundsOf(const NURBSSurface& surface, const ParameterBox& box)
 {
@@ -247,41 +288,26 @@ PatchBounds BoundsOf(const NURBSSurface& surface, const ParameterBox& box)
   PatchBounds bounds;
   bounds.Lower.fill(std::numeric_limits<double>::max());
   bounds.Upper.fill(-std::numeric_limits<double>::max());
+  std::array<double, MostParts> alongU{};
   std::array<double, MostParts> alongV{};
-  for (std::size_t spanU = u.Begin; spanU < u.End; ++spanU)
-  {
-    double alongU = 0.0;
-    std::size_t partV = 0;
-    for (std::size_t spanV = v.Begin; !u.IsEmpty(spanU) && spanV < v.End; ++spanV)
+  std::size_t part = 0;
+  ForNets(surface, u, v, [&](Net& net) {
+    const NetBounds hull(net);
+    Include(bounds, hull);
+    double& longestU = alongU[part / v.Count];
+    double& longestV = alongV[part % v.Count];
+    for (std::size_t i = 0; i + 1 < net.Rows; ++i)
     {
-      if (v.IsEmpty(spanV))
-      {
-        continue;
-      }
-      Net net = PolesOf(surface, spanU, spanU, spanV, spanV);
-      MakeBezier(u, spanU, v, spanV, net);
-      const NetBounds part(net);
-      Include(bounds, part);
-      double longestU = 0.0;
-      for (std::size_t i = 0; i + 1 < net.Rows; ++i)
-      {
-        longestU = std::max(longestU, surface.DegreeU * LongestStepU(net, part, i));
-      }
-      double longestV = 0.0;
-      for (std::size_t j = 0; j + 1 < net.Columns; ++j)
-      {
-        longestV = std::max(longestV, surface.DegreeV * LongestStepV(net, part, j));
-      }
-      alongU = std::max(alongU, longestU);
-      alongV[partV] = std::max(alongV[partV], longestV);
-      ++partV;
+      longestU = std::max(longestU, surface.DegreeU * LongestStepU(net, hull, i));
     }
-    bounds.LengthU += alongU;
-  }
-  for (const double part : alongV)
-  {
-    bounds.LengthV += part;
-  }
+    for (std::size_t j = 0; j + 1 < net.Columns; ++j)
+    {
+      longestV = std::max(longestV, surface.DegreeV * LongestStepV(net, hull, j));
+    }
+    ++part;
+  });
+  bounds.LengthU = std::accumulate(alongU.begin(), alongU.end(), 0.0);
+  bounds.LengthV = std::accumulate(alongV.begin(), alongV.end(), 0.0);
   return bounds;
 }
 

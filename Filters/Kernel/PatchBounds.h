@@ -36,6 +36,11 @@ struct PatchBounds
 /** Of the part of the rectangle that lies in the domain; at least its border does. */
 PatchBounds BoundsOf(const NURBSSurface& surface, const ParameterBox& box);
 
+/** All of the part is at least so far from x along a unit vector: closer to the truth than the box
+ * where that looks straight at the patch. */
+double LeastAlong(
+  const NURBSSurface& surface, const ParameterBox& box, const Real3& x, const Real3& direction);
+
 } // namespace sb
 
 #endif

@@ -65,6 +65,14 @@ inline Real3 TransposeTimes(const Real3x3& m, const Real3& a)
   return PlusScaled(PlusScaled(Scaled(m[0], a[0]), a[1], m[1]), a[2], m[2]);
 }
 
+/** The unit normal of a triangle, or 0 if it has no area. */
+inline Real3 UnitNormalOf(const Real3& a, const Real3& b, const Real3& c)
+{
+  const Real3 normal = Cross(Difference(b, a), Difference(c, a));
+  const double size = Length(normal);
+  return size > 0.0 ? Scaled(normal, 1.0 / size) : Real3{};
+}
+
 inline bool IsFinite(const Real3& a)
 {
   return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceRefinement.h"
 
+#include "EdgeFlipping.h"
 #include "NearSamples.h"
 #include "ParallelSort.h"
 #include "PatchMiddle.h"
@@ -19,7 +20,7 @@ namespace
 {
 
 constexpr std::int64_t Grain = 256;
-constexpr int MostRounds = 60;
+constexpr int MostRounds = 120; ///< two for half the length
 constexpr std::int32_t None = PlaceTable::None;
 
 /** A triangle that is, or may have to be, cut. */
@@ -28,6 +29,7 @@ struct Piece
   std::array<std::int32_t, 3> Points;
   std::int32_t Original;
   bool IsNear;
+  std::array<bool, 3> IsOriginal{ true, true, true }; ///< edges that are part of one of the input
 };
 
 /** All rounds and what they share. */
@@ -243,7 +245,8 @@ private:
     }
   }
 
-  /** Which edges of a piece it wants halved, as bits. */
+  /** Which edges of a piece it wants halved, as bits: the longest, and those that are too far from
+   * the patch. */
   unsigned WantedEdges(const Piece& piece) const
   {
     if (!piece.IsNear)
@@ -251,29 +254,41 @@ private:
       return 0;
     }
     const auto& p = piece.Points;
-    double lengths[3];
+    const unsigned longest = this->LongestEdgeToCut(piece);
+    if (longest != 0 || !this->Input.HasPatches())
+    {
+      return longest;
+    }
     unsigned wanted = 0;
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const std::int32_t a = p[k];
-      const std::int32_t b = p[(k + 1) % 3];
-      lengths[k] = this->EdgeLength(a, b);
-      const bool isLong = lengths[k] > this->Request.LongestEdge;
-      if (isLong ||
-        (this->Input.HasPatches() &&
-          this->ErrorOfEdge(piece.Original, a, b) > this->Request.ChordError))
+      const bool isOff =
+        this->ErrorOfEdge(piece.Original, p[k], p[(k + 1) % 3]) > this->Request.ChordError;
+      wanted |= isOff ? 1u << k : 0u;
+    }
+    return wanted == 0 && this->ErrorOfMiddle(piece.Original, p) > this->Request.ChordError
+      ? 7u
+      : wanted;
+  }
+
+  /** The longest edge of those that are too long, as a bit. Of edges of about one length it is one
+   * of the input's: a slender triangle is cut across, and its diagonals are flipped to that. */
+  unsigned LongestEdgeToCut(const Piece& piece) const
+  {
+    constexpr double preference = 1.2;
+    unsigned found = 0;
+    double longest = 0.0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const double length = this->EdgeLength(piece.Points[k], piece.Points[(k + 1) % 3]);
+      const double rank = piece.IsOriginal[k] ? preference * length : length;
+      if (length > this->Request.LongestEdge && rank > longest)
       {
-        wanted |= 1u << k;
+        found = 1u << k;
+        longest = rank;
       }
     }
-    const auto longest = std::max_element(lengths, lengths + 3) - lengths;
-    if (wanted != 0 ||
-      (this->Input.HasPatches() &&
-        this->ErrorOfMiddle(piece.Original, p) > this->Request.ChordError))
-    {
-      wanted |= 1u << longest;
-    }
-    return wanted;
+    return found;
   }
 
   /** List the edges to be halved, by the numbers of their places; returns whether there are any. */
@@ -515,6 +530,7 @@ private:
       }
     }
     isNew.resize(this->Pieces.size(), 1);
+    this->FlipNewEdges(isNew);
     this->ForPieces([&](std::size_t i) {
       Piece& piece = this->Pieces[i];
       piece.IsNear = piece.IsNear && (!isNew[i] || this->IsNear(piece.Original, piece.Points));
@@ -527,16 +543,82 @@ private:
     const auto& p = piece.Points;
     const std::array<double, 3> lengths{ this->EdgeLength(p[0], p[1]), this->EdgeLength(p[1], p[2]),
       this->EdgeLength(p[2], p[0]) };
+    const auto isOriginal = [&](std::int32_t a, std::int32_t b) {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const auto isOn = [&](std::int32_t x) {
+          return x == p[k] || x == p[(k + 1) % 3] || x == middles[k];
+        };
+        if (isOn(a) && isOn(b))
+        {
+          return piece.IsOriginal[k];
+        }
+      }
+      return false;
+    };
     bool isFirst = true;
     CutTriangle(p, middles, lengths, [&](const std::array<std::int32_t, 3>& corners) {
+      const Piece part{ corners, piece.Original, piece.IsNear,
+        { isOriginal(corners[0], corners[1]), isOriginal(corners[1], corners[2]),
+          isOriginal(corners[2], corners[0]) } };
       if (isFirst)
       {
-        this->Pieces[i].Points = corners;
+        this->Pieces[i] = part;
         isFirst = false;
         return;
       }
-      this->Pieces.push_back({ corners, piece.Original, piece.IsNear });
+      this->Pieces.push_back(part);
     });
+  }
+
+  /** Of the pieces made in a round, those of one triangle of the input get better diagonals. */
+  void FlipNewEdges(const std::vector<std::uint8_t>& isNew)
+  {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < isNew.size(); ++i)
+    {
+      if (isNew[i])
+      {
+        order.push_back(i);
+      }
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return this->Pieces[a].Original < this->Pieces[b].Original;
+    });
+    std::vector<std::size_t> starts;
+    for (std::size_t k = 0; k < order.size(); ++k)
+    {
+      if (k == 0 || this->Pieces[order[k]].Original != this->Pieces[order[k - 1]].Original)
+      {
+        starts.push_back(k);
+      }
+    }
+    starts.push_back(order.size());
+    this->Threads.For(
+      static_cast<std::int64_t>(starts.size()) - 1, 16, [&](std::int64_t begin, std::int64_t end) {
+        for (std::size_t group = static_cast<std::size_t>(begin);
+             group < static_cast<std::size_t>(end); ++group)
+        {
+          this->FlipGroup(order.data() + starts[group], order.data() + starts[group + 1]);
+        }
+      });
+  }
+
+  void FlipGroup(const std::size_t* first, const std::size_t* last)
+  {
+    std::vector<FlippableTriangle> triangles;
+    for (const std::size_t* i = first; i < last; ++i)
+    {
+      triangles.push_back({ this->Pieces[*i].Points, this->Pieces[*i].IsOriginal });
+    }
+    FlipToDelaunay(triangles, this->Points);
+    for (const FlippableTriangle& triangle : triangles)
+    {
+      Piece& piece = this->Pieces[*first++];
+      piece.Points = triangle.Corners;
+      piece.IsOriginal = triangle.IsFixed;
+      piece.IsNear = piece.IsNear || triangle.IsFlipped;
+    }
   }
 
   void Assemble(RefinedSurface& refined)

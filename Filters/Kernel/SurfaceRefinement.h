@@ -5,12 +5,12 @@
  * @brief A designed surface with triangles as small as a cloud's spacing where the cloud is near,
  * and as they were elsewhere.
  *
- * Edges that are too long are halved, all at once, round after round. A triangle is cut from the
- * middle of its longest edge first (Rivara 1984), so
- * its angles do not get worse the finer it is. What decides is the edge and the triangles beside
- * it, found by coordinates: both sides of an edge get the same points, and a surface that is closed
- * by coordinates stays so. Triangles that are not near take up the points on their edges and are
- * not cut again.
+ * The longest edge of each triangle is halved, all at once, round after round (Rivara 1984), and
+ * within each triangle of the input the diagonals are flipped (Lawson 1977), so that slender ones,
+ * of which the walls of cylinders are made, do not stay slender. What is cut is decided for the
+ * edge, found by coordinates: both sides of it get the same points, and a surface that is closed by
+ * coordinates stays so. Triangles that are not near take up the points on their edges and are not
+ * cut again.
  *
  * Where patches are known, new points lie on them: on that of the face, or, at an edge of two
  * faces, on both of them, once with the u and v of each.

@@ -12,6 +12,7 @@
 #include "Patches.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -181,7 +182,7 @@ void ClosestPoints()
   const NURBSSurface sphere = patches::Sphere(1.0);
   const NURBSSurface torus = patches::Torus(1.0, 0.4);
   const NURBSSurface free = patches::FreeForm(5, 3, 9, 8, 0.5, random);
-  for (int k = 0; k < 3000; ++k)
+  for (int k = 0; k < 300; ++k)
   {
     const Real3 x{ uniform(random), uniform(random), uniform(random) };
     const sb::PlaceOnPatch onSphere = sb::ClosestOnPatch(sphere, x);
@@ -190,10 +191,23 @@ void ClosestPoints()
     CHECK(sb::EvaluatePatch(sphere, onSphere.U, onSphere.V, 0).Point == onSphere.Point);
     const sb::PlaceOnPatch onTorus = sb::ClosestOnPatch(torus, x);
     CHECK(std::abs(onTorus.Distance - std::abs(clouds::DistanceToTorus(x))) < 1e-14);
+    if (k % 10 == 0)
+    {
+      const double found = sb::ClosestOnPatch(free, x).Distance;
+      double least = 1e300;
+      for (int i = 0; i <= 100; ++i)
+      {
+        for (int j = 0; j <= 100; ++j)
+        {
+          least = std::min(least, Gap(x, sb::EvaluatePatch(free, i / 100.0, j / 100.0, 0).Point));
+        }
+      }
+      CHECK(found <= 1.0011 * least && found > least - 0.05);
+    }
   }
   // A point of the patch finds its own parameters again, from beside them.
   std::uniform_real_distribution<double> inside(0.05, 0.95);
-  for (int k = 0; k < 3000; ++k)
+  for (int k = 0; k < 300; ++k)
   {
     const double u = inside(random);
     const double v = inside(random);
@@ -201,6 +215,66 @@ void ClosestPoints()
     const sb::PlaceOnPatch place = sb::ClosestOnPatchFrom(free, x, u + 0.02, v - 0.03);
     CHECK(place.Distance < 1e-15);
     CHECK(std::abs(place.U - u) < 1e-14 && std::abs(place.V - v) < 1e-14);
+  }
+}
+
+/** Value and gradient of f(S(u, v)). */
+using OnPatch = std::array<double, 3>;
+
+/** Of the function on a patch, the gradient J^T grad f and the Hessian
+ * J^T H J + (grad f . S_uu, grad f . S_uv, grad f . S_vv) against differences of fourth order, for
+ * both definitions of the surface. The cloud is small against the width: the paper's weights end
+ * with a jump of 2e-9, which differences would see. */
+void DerivativesOnPatches()
+{
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> uniform(0.05, 0.95);
+  clouds::Cloud cloud = clouds::Plane(20);
+  clouds::AddNoise(cloud, 0.02, random);
+  for (const auto definition :
+    { sb::SurfaceDefinition::Unbiased, sb::SurfaceDefinition::AmentaKil })
+  {
+    const double h = 1e-4;
+    const sb::CloudSurface made = clouds::SurfaceOf(cloud, true, definition, 0.4);
+    const NURBSSurface patch = Moved(patches::FreeForm(4, 3, 5, 4, 0.2, random), { 0.5, 0.5, 0.0 });
+    MovingLeastSquares::Neighbourhood near;
+    const auto functionAt = [&](double u, double v) {
+      const PatchPoint p = sb::EvaluatePatch(patch, u, v, 1);
+      const sb::SurfaceValue f = made.Surface->EvaluateAt(p.Point, 1, near);
+      return OnPatch{ f.Value, sb::Dot(f.Gradient, p.Du), sb::Dot(f.Gradient, p.Dv) };
+    };
+    const auto difference = [&](double u, double v, double du, double dv, std::size_t of) {
+      const auto at = [&](double steps) { return functionAt(u + steps * du, v + steps * dv)[of]; };
+      return (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / (12.0 * (du + dv));
+    };
+    double largest = 0.0;
+    for (int tested = 0; tested < 100;)
+    {
+      const double u = uniform(random);
+      const double v = uniform(random);
+      const PatchPoint at = sb::EvaluatePatch(patch, u, v, 2);
+      const sb::SurfaceValue f = made.Surface->EvaluateAt(at.Point, 2, near);
+      if (f.Where != sb::Support::Defined || std::abs(f.Value) > 0.05)
+      {
+        continue;
+      }
+      ++tested;
+      const Real3 alongU = sb::Times(f.Hessian, at.Du);
+      const Real3 alongV = sb::Times(f.Hessian, at.Dv);
+      const OnPatch exact = functionAt(u, v);
+      const double uu = sb::Dot(alongU, at.Du) + sb::Dot(f.Gradient, at.Duu);
+      const double uv = sb::Dot(alongU, at.Dv) + sb::Dot(f.Gradient, at.Duv);
+      const double vv = sb::Dot(alongV, at.Dv) + sb::Dot(f.Gradient, at.Dvv);
+      const double slope = std::hypot(exact[1], exact[2]);
+      const double bend = std::abs(uu) + std::abs(uv) + std::abs(vv);
+      largest = std::max({ largest, std::abs(exact[1] - difference(u, v, h, 0.0, 0)) / slope,
+        std::abs(exact[2] - difference(u, v, 0.0, h, 0)) / slope,
+        std::abs(uu - difference(u, v, h, 0.0, 1)) / bend,
+        std::abs(uv - difference(u, v, h, 0.0, 2)) / bend,
+        std::abs(uv - difference(u, v, 0.0, h, 1)) / bend,
+        std::abs(vv - difference(u, v, 0.0, h, 2)) / bend });
+    }
+    CHECK(largest < 1e-6);
   }
 }
 
@@ -274,6 +348,7 @@ int main()
   BordersAndNothing();
   OntoPlanes();
   ClosestPoints();
+  DerivativesOnPatches();
   CurvatureOfCurves();
   return check::Verdict("TestCommonPoint");
 }

@@ -74,8 +74,8 @@ void CheckCurves(const sb::CloudSurface& made, const DesignedSurface& designed,
     CHECK_EQUAL(curve.UV.size(), curve.Points.size());
     CHECK_EQUAL(curve.FaceId.size(), curve.Points.size());
     CHECK(curve.Closed == (curve.Points.front() == curve.Points.back()));
-    CHECK(curve.Closed == (curve.Begin == CurveEnd::None));
-    CHECK(curve.Closed == (curve.End == CurveEnd::None));
+    CHECK(curve.Closed == (curve.Ends[0] == CurveEnd::None));
+    CHECK(curve.Closed == (curve.Ends[1] == CurveEnd::None));
     CHECK(curve.LargestChordError <= chordError);
     CHECK(curve.LargestResidual < 1e-12);
     for (std::size_t i = 0; i < curve.Points.size(); ++i)
@@ -165,6 +165,39 @@ void CirclesOnASphere()
   }
 }
 
+/** Circles around the axis of a torus: with a cylinder through the middle of its tube, with its
+ * equatorial plane, and with a sphere about its centre. */
+void CirclesOnATorus()
+{
+  std::mt19937 random(5);
+  const sb::CloudSurface made = clouds::SurfaceOf(clouds::Torus(30000, random));
+  const auto areCircles = [&](const DesignedSurface& designed, std::vector<double> radii) {
+    const NURBSSection section = SectionOf(made, designed, 1e-4);
+    CheckCurves(made, designed, section, 1e-4);
+    CHECK_EQUAL(section.Curves.size(), radii.size());
+    for (const NURBSCurve& curve : section.Curves)
+    {
+      CHECK(curve.Closed);
+      const double radius = LengthOf(curve) / (2.0 * clouds::Pi);
+      const auto found = std::find_if(
+        radii.begin(), radii.end(), [&](double r) { return std::abs(r - radius) < 1e-3; });
+      CHECK(found != radii.end());
+      if (found != radii.end())
+      {
+        radii.erase(found);
+      }
+      for (const Real3& x : curve.Points)
+      {
+        CHECK(std::abs(clouds::DistanceToTorus(x)) < 3e-4);
+      }
+    }
+  };
+  areCircles(OneFace(patches::Cylinder(1.0, 2.0)), { 1.0, 1.0 });
+  areCircles(
+    OneFace(patches::Parallelogram({ -2, -2, 0 }, { 4, 0, 0 }, { 0, 4, 0 })), { 0.6, 1.4 });
+  areCircles(OneFace(patches::Sphere(1.0)), { 0.92, 0.92 }); // r = (1 + 1 - 0.16) / 2
+}
+
 double DistanceToCurve(const Real3& x, const NURBSCurve& curve)
 {
   double least = 1e300;
@@ -201,7 +234,7 @@ void TrimmedPatches()
   CHECK(std::abs(LengthOf(section) - 0.8 * clouds::Pi) < 2e-3 * clouds::Pi);
   for (const NURBSCurve& curve : section.Curves)
   {
-    CHECK(curve.Begin == CurveEnd::MeshBorder && curve.End == CurveEnd::MeshBorder);
+    CHECK(curve.Ends[0] == CurveEnd::MeshBorder && curve.Ends[1] == CurveEnd::MeshBorder);
     CHECK(curve.UV.front()[0] == 0.5 && curve.UV.back()[0] == 0.5);
     CHECK(std::abs(std::abs(curve.Points.front()[1]) - 0.8) < 1e-5);
   }
@@ -445,6 +478,7 @@ void CoincidentAndTangential()
     made, OneFace(patches::Parallelogram({ -2, -2, height }, { 4, 0, 0 }, { 0, 4, 0 })), 1e-4);
   CHECK_EQUAL(loop.Curves.size(), 1u);
   CHECK(std::abs(LengthOf(loop) - 2.0 * clouds::Pi * radius) < 0.02 * radius);
+  CHECK(!loop.Curves.empty() && loop.Curves.front().IsTangential);
   // Wholly away, outside and inside.
   CHECK(SectionOf(made, OneFace(Moved(patches::Sphere(1.0), { 2.2, 0, 0 }))).Curves.empty());
   CHECK(SectionOf(made, OneFace(patches::Torus(0.5, 0.2))).Curves.empty());
@@ -460,7 +494,7 @@ void OpenScans()
   CHECK_EQUAL(section.Curves.size(), 1u);
   for (const NURBSCurve& curve : section.Curves)
   {
-    CHECK(curve.Begin == CurveEnd::ScanBorder && curve.End == CurveEnd::ScanBorder);
+    CHECK(curve.Ends[0] == CurveEnd::ScanBorder && curve.Ends[1] == CurveEnd::ScanBorder);
     CHECK(std::abs(std::abs(curve.Points.front()[0] - curve.Points.back()[0]) - 1.0) <
       3.0 * flat.Spacing);
   }
@@ -471,8 +505,8 @@ void OpenScans()
   CHECK_EQUAL(part.Curves.size(), 1u);
   for (const NURBSCurve& curve : part.Curves)
   {
-    CHECK((curve.Begin == CurveEnd::ScanBorder) != (curve.End == CurveEnd::ScanBorder));
-    CHECK((curve.Begin == CurveEnd::MeshBorder) != (curve.End == CurveEnd::MeshBorder));
+    CHECK((curve.Ends[0] == CurveEnd::ScanBorder) != (curve.Ends[1] == CurveEnd::ScanBorder));
+    CHECK((curve.Ends[0] == CurveEnd::MeshBorder) != (curve.Ends[1] == CurveEnd::MeshBorder));
   }
 }
 
@@ -530,7 +564,7 @@ std::vector<Real3> CrossingsOfGrid(const NURBSSurface& patch, int steps)
 
 void RandomPoses()
 {
-  const sb::CloudSurface made = clouds::SurfaceOf(clouds::Sphere(20000));
+  const sb::CloudSurface made = clouds::SurfaceOf(clouds::Sphere(10000));
   std::mt19937 random(9);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   const int poses = 300;
@@ -572,11 +606,56 @@ void RandomPoses()
         CHECK(std::abs(sb::Length(x) - 1.0) < 1e-5);
       }
       CHECK(k % 10 != 0 || ChordError(made, designed, curve) <= 2e-3);
-      const bool isOpen = curve.Begin == CurveEnd::MeshBorder && curve.End == CurveEnd::MeshBorder;
+      const bool isOpen =
+        curve.Ends[0] == CurveEnd::MeshBorder && curve.Ends[1] == CurveEnd::MeshBorder;
       CHECK(curve.Closed || isOpen);
     }
   }
   CHECK(crossed > poses / 2);
+}
+
+/** Far from the origin coordinates have less digits; curves are the same to what is left of them.
+ */
+void FarFromTheOrigin()
+{
+  const Real3 by{ 1e6, -2e6, 3e6 };
+  clouds::Cloud cloud = clouds::Sphere(10000);
+  DesignedSurface designed = Bar(0.5, 0.4, 40);
+  const NURBSSection here = SectionOf(clouds::SurfaceOf(cloud), designed);
+  CHECK(here.Curves.empty());
+  std::vector<double> lengths;
+  for (const double away : { 0.0, 1.0 })
+  {
+    const Real3 move{ 0.8 + away * by[0], 0.1 + away * by[1], 0.3 + away * by[2] };
+    DesignedSurface moved = designed;
+    for (NURBSSurface& patch : moved.Patches)
+    {
+      patch = Moved(patch, move);
+    }
+    for (std::size_t i = 0; i < moved.Points.size(); ++i)
+    {
+      moved.Points[i] += move[i % 3];
+    }
+    clouds::Cloud points = cloud;
+    for (std::size_t i = 0; i < points.Points.size(); ++i)
+    {
+      points.Points[i] += away * by[i % 3];
+    }
+    const NURBSSection section = SectionOf(clouds::SurfaceOf(points), moved);
+    CHECK_EQUAL(section.Curves.size(), 1u);
+    for (const NURBSCurve& curve : section.Curves)
+    {
+      CHECK(curve.Closed);
+      CHECK(curve.LargestChordError <= 1e-3);
+      CHECK(curve.LargestResidual < (away == 0.0 ? 1e-14 : 1e-8));
+      for (const Real3& x : curve.Points)
+      {
+        CHECK(std::abs(Gap(x, sb::Scaled(by, away)) - 1.0) < 1e-5);
+      }
+      lengths.push_back(LengthOf(curve));
+    }
+  }
+  CHECK(lengths.size() == 2 && std::abs(lengths[0] - lengths[1]) < 1e-3);
 }
 
 bool AreEqual(const NURBSSection& a, const NURBSSection& b)
@@ -645,6 +724,7 @@ void Aborts()
 int main()
 {
   CirclesOnASphere();
+  CirclesOnATorus();
   TrimmedPatches();
   CheckeredFaces();
   OverEdges();
@@ -653,6 +733,7 @@ int main()
   CoincidentAndTangential();
   OpenScans();
   RandomPoses();
+  FarFromTheOrigin();
   NothingElseMatters();
   Aborts();
   return check::Verdict("TestNURBSSection");

@@ -126,6 +126,24 @@ void ABoxIsRefinedWhereTheCloudIs()
   }
 }
 
+/** The wall of a tube, in 800 triangles as long as it: cut across, and not into slivers. */
+void SlenderTrianglesAreCutAcross()
+{
+  const sb::PointTree tree = TreeOf(clouds::Sphere(5000));
+  const shapes::Mesh tube = shapes::Tube(0.5, -2.0, 2.0, 400);
+  const sb::RefinedSurface refined = Refined(designed::FromMesh(tube), tree, 0.15, 0.05);
+  const shapes::Mesh made = designed::ToMesh(refined.Surface);
+  CHECK(std::abs(shapes::Area(made) - shapes::Area(tube)) < 1e-9);
+  CheckEdges(refined, tree, 0.15, 0.05);
+  // Each wall has two parts 0.35 high near the sphere, in steps of 4 / 128, two triangles a step.
+  CHECK(std::count(refined.IsNear.begin(), refined.IsNear.end(), 1) < 800 * 2 * 2 * 13);
+  CHECK(refined.Original.size() < 70000);
+  for (std::size_t t = 0; t < refined.Original.size(); ++t)
+  {
+    CHECK(!refined.IsNear[t] || SmallestAngle(CornersOf(refined.Surface, t)) > 0.05);
+  }
+}
+
 /** What is far is passed on as it is, and costs no triangle. */
 void TheRestStaysAsItWas()
 {
@@ -267,6 +285,7 @@ void EdgesOfTwoFacesLieOnBoth()
 int main()
 {
   ABoxIsRefinedWhereTheCloudIs();
+  SlenderTrianglesAreCutAcross();
   TheRestStaysAsItWas();
   ThreadsAndTheOrderOfSamplesDoNotMatter();
   PatchesAreFollowed();
