@@ -1,0 +1,141 @@
+# SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws the curves in which a scanned statue meets a screw: a cloud of points and the exact surfaces of a CAD file.
+
+    . build/env.sh && xvfb-run -a /usr/bin/python3 Screenshots/point_set_intersection.py
+
+The cloud is CGAL's kitten (Debian: libcgal-demo), the screw a STEP file of Open CASCADE's samples (occt-misc), larger
+than it is there. Neither is meshed: the facets of the screw are drawn only.
+"""
+
+import pathlib
+import tarfile
+
+import numpy as np
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the renderer)
+from surfacebooleans.vtk import vtkNURBSReader, vtkPointSetIntersectionFilter
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersCore import vtkGlyph3D, vtkTubeFilter
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkLightKit,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkWindowToImageFilter,
+)
+
+HERE = pathlib.Path(__file__).resolve().parent
+CGAL_DATA = "/usr/share/doc/libcgal-dev/data.tar.gz"
+SCREW = "/usr/share/opencascade/data/step/screw.step"
+SCAN, BODY, CURVES = (0.35, 0.47, 0.66), (0.86, 0.62, 0.36), (0.75, 0.05, 0.10)
+
+
+def kitten():
+    with tarfile.open(CGAL_DATA) as archive:
+        rows = np.loadtxt(archive.extractfile("data/points_3/kitten.xyz"))
+    cloud, points = vtkPolyData(), vtkPoints()
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(rows[:, :3]), deep=True))
+    normals = numpy_to_vtk(np.ascontiguousarray(rows[:, 3:6]), deep=True)
+    normals.SetName("Normals")
+    cloud.SetPoints(points)
+    cloud.GetPointData().SetNormals(normals)
+    return cloud
+
+
+def screw():
+    """Through the statue's head from side to side; the exact surfaces follow the facets."""
+    reader = vtkNURBSReader()
+    reader.SetFileName(SCREW)
+    reader.Update()
+    low, high = np.array(reader.GetOutputDataObject(0).GetBounds()).reshape(3, 2).T
+    placed = vtkTransform()
+    placed.Translate(-0.02, 0.13, 0.03)
+    placed.RotateZ(-12)
+    placed.RotateY(-90)
+    placed.Scale(*3 * [0.021])
+    placed.Translate(*(-(low + high) / 2))
+    moved = vtkTransformPolyDataFilter()
+    moved.SetInputConnection(reader.GetOutputPort())
+    moved.SetTransform(placed)
+    return moved
+
+
+def actor(source, colour):
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    drawn = vtkActor()
+    drawn.SetMapper(mapper)
+    drawn.GetProperty().SetColor(colour)
+    return drawn
+
+
+def balls(cloud, size):
+    ball = vtkSphereSource()
+    ball.SetRadius(size)
+    each = vtkGlyph3D()
+    each.SetInputData(cloud)
+    each.SetSourceConnection(ball.GetOutputPort())
+    each.ScalingOff()
+    return each
+
+
+def scene():
+    cloud = kitten()
+    body = screw()
+    meeting = vtkPointSetIntersectionFilter()
+    meeting.SetInputData(cloud)
+    meeting.SetToolConnection(body.GetOutputPort())
+    meeting.Update()
+    curves = meeting.GetOutput()
+    print(curves.GetNumberOfLines(), "curves,", curves.GetNumberOfPoints(), "points")
+    tube = vtkTubeFilter()
+    tube.SetInputConnection(meeting.GetOutputPort())
+    tube.SetRadius(0.008 * cloud.GetLength())
+    tube.SetNumberOfSides(16)
+    renderer = vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    renderer.AddActor(actor(balls(cloud, 0.006 * cloud.GetLength()), SCAN))
+    solid = actor(body, BODY)
+    solid.GetProperty().SetSpecular(0.3)
+    renderer.AddActor(solid)
+    line = actor(tube, CURVES)
+    line.GetProperty().SetAmbient(0.4)
+    renderer.AddActor(line)
+    vtkLightKit().AddLightsToRenderer(renderer)
+    return renderer, cloud
+
+
+def main(path):
+    renderer, cloud = scene()
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(8)
+    window.SetSize(1000, 900)
+    window.AddRenderer(renderer)
+    camera = renderer.GetActiveCamera()
+    camera.SetFocalPoint(*cloud.GetCenter())
+    camera.SetPosition(*(np.array(cloud.GetCenter()) + [0.9, 0.5, 3.0]))
+    camera.SetViewUp(0, 1, 0)
+    renderer.ResetCamera()
+    camera.Zoom(1.25)
+    renderer.ResetCameraClippingRange()
+    window.Render()
+    image = vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.SetFileName(str(path))
+    writer.Write()
+
+
+if __name__ == "__main__":
+    main(HERE / "point_set_intersection.png")
