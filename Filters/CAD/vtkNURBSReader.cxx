@@ -199,7 +199,8 @@ void vtkNURBSReader::Run::MakeFacets()
   if (this->Facets.Surface.FaceId.empty())
   {
     throw Failure{ NO_FACES,
-      this->File() + "has no faces that can be shown; export surfaces or solids to it." };
+      this->File() +
+        "has no faces that can be shown; export surfaces or solids to it, anew if it is damaged." };
   }
   this->Times.push_back({ "Make facets", this->Watch.Lap() });
 }
@@ -227,9 +228,10 @@ void vtkNURBSReader::Run::Examine()
   if (this->Facets.NumberOfBareFaces > 0)
   {
     this->Warn(INCOMPLETE,
-      this->File() + "has " + std::to_string(this->Facets.NumberOfBareFaces) +
-        " faces that could not be cut into triangles and are left out; repair them in the program "
-        "that made it.");
+      std::to_string(this->Facets.NumberOfBareFaces) + " of the faces of the file " +
+        this->Reader->FileName +
+        " could not be cut into triangles and are left out; repair them in the program that made "
+        "it.");
   }
   if (!this->Closed)
   {
