@@ -10,6 +10,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 
 import meshes
 from booleans import polydata
+from cad import basis
 
 ROOT = np.sqrt(0.5)
 CIRCLE = [(1, 0, 1), (1, 1, ROOT), (0, 1, 1), (-1, 1, ROOT), (-1, 0, 1), (-1, -1, ROOT), (0, -1, 1), (1, -1, ROOT), (1, 0, 1)]
@@ -24,32 +25,12 @@ class Patch:
     def __call__(self, u, v):
         """Points at arrays of u and v."""
         along_u, along_v = (
-            basis(k, d, n, np.asarray(t)) for k, d, n, t in zip(self.knots, self.degrees, self.poles.shape, (u, v))
+            basis(np.asarray(k, dtype=float), d, np.asarray(t)) for k, d, t in zip(self.knots, self.degrees, (u, v))
         )
         weights = self.poles[..., 3]
         weighted = self.poles[..., :3] * weights[..., None]
         above = np.einsum("ni,nj,ijk->nk", along_u, along_v, weighted)
         return above / np.einsum("ni,nj,ij->n", along_u, along_v, weights)[:, None]
-
-
-def basis(knots, degree, count, t):
-    """All basis functions at each t (Cox and de Boor), by their definition."""
-    knots = np.asarray(knots, dtype=float)
-    last = np.flatnonzero(knots[:-1] < knots[1:])[-1]
-    b = np.stack(
-        [(knots[i] <= t) & ((t < knots[i + 1]) | ((i == last) & (t == knots[i + 1]))) for i in range(len(knots) - 1)], 1
-    ).astype(float)
-    for d in range(1, degree + 1):
-        columns = []
-        for i in range(len(knots) - 1 - d):
-            value = np.zeros(len(t))
-            if knots[i + d] > knots[i]:
-                value += (t - knots[i]) / (knots[i + d] - knots[i]) * b[:, i]
-            if knots[i + d + 1] > knots[i + 1]:
-                value += (knots[i + d + 1] - t) / (knots[i + d + 1] - knots[i + 1]) * b[:, i + 1]
-            columns.append(value)
-        b = np.stack(columns, 1)
-    return b[:, :count]
 
 
 def arc_knots(arcs):
