@@ -13,7 +13,8 @@ from booleans import polydata
 from cad import basis
 
 ROOT = np.sqrt(0.5)
-CIRCLE = [(1, 0, 1), (1, 1, ROOT), (0, 1, 1), (-1, 1, ROOT), (-1, 0, 1), (-1, -1, ROOT), (0, -1, 1), (1, -1, ROOT), (1, 0, 1)]
+CIRCLE = [(1, 0, 1), (1, 1, ROOT), (0, 1, 1), (-1, 1, ROOT), (-1, 0, 1), (-1, -1, ROOT), (0, -1, 1), (1, -1, ROOT)]
+CIRCLE += CIRCLE[:1]
 
 
 @dataclass
@@ -68,7 +69,8 @@ def body(patches, across=(24, 12)):
     points, triangles, uv, face = [], [], [], []
     count_u, count_v = across
     for number, patch in enumerate(patches):
-        u, v = (a.ravel() for a in np.meshgrid(np.arange(count_u + 1) / count_u, np.arange(count_v + 1) / count_v, indexing="ij"))
+        along_u, along_v = np.arange(count_u + 1) / count_u, np.arange(count_v + 1) / count_v
+        u, v = (a.ravel() for a in np.meshgrid(along_u, along_v, indexing="ij"))
         x = np.round(patch(u, v) * 2.0**40) / 2.0**40 + 0.0  # so that seams and neighbours meet
         first = sum(len(p) for p in points)
         ids = first + np.arange(len(x)).reshape(count_u + 1, count_v + 1)
