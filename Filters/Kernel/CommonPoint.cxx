@@ -21,12 +21,6 @@ constexpr double LeastSlope = 1e-7; ///< along the patch, against the gradient
 constexpr double Degenerate = 1e-7; ///< ratio of lengths of S_u and S_v
 constexpr int Turns = 32;
 
-/** The largest residual that counts as none, which coordinates far from the origin raise. */
-double Negligible(const Real3& x, double width)
-{
-  return NearlyThere * width + 8.0 * std::numeric_limits<double>::epsilon() * Length(x);
-}
-
 /** A step in the parameters, or what one is worth. */
 struct Step
 {
@@ -129,7 +123,7 @@ private:
       {
         return best; // rounding is all that is left
       }
-      if (residual <= Negligible(now.Point, width))
+      if (residual <= NegligibleValue(now.Point, width))
       {
         best = now;
         best.Found = true;
@@ -258,6 +252,11 @@ private:
 
 } // namespace
 
+double NegligibleValue(const Real3& x, double width)
+{
+  return NearlyThere * width + 8.0 * std::numeric_limits<double>::epsilon() * Length(x);
+}
+
 CommonPoint OntoCloudAndPatch(const MovingLeastSquares& surface, const NURBSSurface& patch,
   double u, double v, MovingLeastSquares::Neighbourhood& near)
 {
@@ -288,7 +287,7 @@ CommonPoint OntoCloudAndPlane(const MovingLeastSquares& surface, const Real3& or
     {
       return best;
     }
-    if (residual <= Negligible(now.Point, width))
+    if (residual <= NegligibleValue(now.Point, width))
     {
       best = now;
       best.Found = true;

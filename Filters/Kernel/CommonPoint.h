@@ -18,6 +18,10 @@
 namespace sb
 {
 
+/** The largest value of the function that counts as none; coordinates far from the origin raise it.
+ */
+double NegligibleValue(const Real3& x, double width);
+
 struct CommonPoint
 {
   bool Found = false; ///< if not, the rest is where the search was given up
@@ -31,7 +35,7 @@ struct CommonPoint
  * The point on both that Newton's method reaches from u and v in steps of at most 0.4 widths; not
  * found if it would be farther than two widths from the start, or the surfaces touch there without
  * crossing. Where lines of constant v are a single point (the poles of a sphere), u is turned to
- * where the surface is.
+ * where the surface is. From a third of a width away it takes as long as four evaluations.
  */
 CommonPoint OntoCloudAndPatch(const MovingLeastSquares& surface, const NURBSSurface& patch,
   double u, double v, MovingLeastSquares::Neighbourhood& near);

@@ -5,9 +5,8 @@
  * @brief The pieces of curves in which the surface of a cloud meets one trimmed patch, as points
  * that are close together, each on both.
  *
- * The signs of the function at the corners of the quadtree's cells give all branches at once, as
- * in a plane (PlaneSection.h); where a branch crosses the border of the trimmed domain, it is cut
- * in a point of that border.
+ * Where a branch (FaceBranches.h) crosses the border of the trimmed domain, it is cut in a point of
+ * that border.
  */
 #ifndef sb_FaceSection_h
 #define sb_FaceSection_h

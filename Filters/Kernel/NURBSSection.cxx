@@ -17,7 +17,8 @@ namespace
 
 constexpr std::size_t NodesInPart = 96; ///< that one thread steps along at a time
 constexpr double LongestStep = 2.0; ///< in widths
-constexpr double SameInWidths = 1e-4; ///< points closer than that are no curve
+constexpr double PointInWidths = 1e-4; ///< a curve that is not longer is none
+constexpr double SameInWidths = 1e-6; ///< ends of pieces that are one point of a curve
 constexpr double ShortestStep = 1e-3; ///< in widths
 
 /** A piece with as few nodes as the bound allows. */
@@ -235,12 +236,7 @@ private:
     if (curve.Closed)
     {
       curve.Ends.fill(CurveEnd::None);
-      if (curve.Points.front() != curve.Points.back())
-      {
-        curve.Points.push_back(curve.Points.front());
-        curve.UV.push_back(curve.UV.front());
-        curve.FaceId.push_back(curve.FaceId.front());
-      }
+      this->CloseUp(curve);
     }
     if (this->IsCurve(curve))
     {
@@ -248,10 +244,33 @@ private:
     }
   }
 
+  bool AreOne(const Real3& a, const Real3& b) const
+  {
+    return Length(Difference(a, b)) <= SameInWidths * this->Surface.Width();
+  }
+
+  /** Let a loop end in its first point. */
+  void CloseUp(NURBSCurve& curve) const
+  {
+    if (curve.Points.size() > 1 && curve.Points.back() != curve.Points.front() &&
+      this->AreOne(curve.Points.back(), curve.Points.front()))
+    {
+      curve.Points.pop_back();
+      curve.UV.pop_back();
+      curve.FaceId.pop_back();
+    }
+    if (curve.Points.back() != curve.Points.front())
+    {
+      curve.Points.push_back(curve.Points.front());
+      curve.UV.push_back(curve.UV.front());
+      curve.FaceId.push_back(curve.FaceId.front());
+    }
+  }
+
   /** Where a curve passes a pole of a patch, pieces are left over that are points. */
   bool IsCurve(const NURBSCurve& curve) const
   {
-    const double least = SameInWidths * this->Surface.Width();
+    const double least = PointInWidths * this->Surface.Width();
     return std::any_of(curve.Points.begin(), curve.Points.end(),
       [&](const Real3& x) { return Length(Difference(x, curve.Points.front())) > least; });
   }
@@ -263,7 +282,10 @@ private:
     for (std::size_t k = 0; k < count; ++k)
     {
       const CurveNode& node = stepped.Nodes[backwards ? count - 1 - k : k];
-      if (!curve.Points.empty() && curve.Points.back() == node.Point)
+      const bool isSame = !curve.Points.empty() &&
+        (k == 0 ? this->AreOne(curve.Points.back(), node.Point)
+                : curve.Points.back() == node.Point);
+      if (isSame)
       {
         continue; // where the piece before it ended, or all of a piece that is a point
       }

@@ -109,8 +109,9 @@ struct Homogeneous
 };
 
 /** Sums over the poles: derivative k in u and l in v is at [k][l], for k + l up to the order. */
-void SumPoles(const NURBSSurface& surface, const Basis& inU, const Basis& inV, int order,
-  Homogeneous (&sums)[3][3])
+template <int Order>
+void SumPoles(
+  const NURBSSurface& surface, const Basis& inU, const Basis& inV, Homogeneous (&sums)[3][3])
 {
   for (int i = 0; i <= surface.DegreeU; ++i)
   {
@@ -124,14 +125,14 @@ void SumPoles(const NURBSSurface& surface, const Basis& inU, const Basis& inV, i
       const double weight = pole[3];
       const Homogeneous weighted{ { weight * pole[0], weight * pole[1], weight * pole[2],
         weight } };
-      for (int l = 0; l <= order; ++l)
+      for (int l = 0; l <= Order; ++l)
       {
         row[l].Add(inV.Values[l][j], weighted);
       }
     }
-    for (int k = 0; k <= order; ++k)
+    for (int k = 0; k <= Order; ++k)
     {
-      for (int l = 0; k + l <= order; ++l)
+      for (int l = 0; k + l <= Order; ++l)
       {
         sums[k][l].Add(inU.Values[k][i], row[l]);
       }
@@ -216,7 +217,8 @@ PatchPoint EvaluatePatch(const NURBSSurface& surface, double u, double v, int or
   EvaluateBasis(surface.KnotsV, surface.DegreeV, surface.CountV,
     std::min(surface.LastV(), std::max(surface.FirstV(), v)), order, inV);
   Homogeneous sums[3][3];
-  SumPoles(surface, inU, inV, order, sums);
+  const auto sum = order >= 2 ? SumPoles<2> : order == 1 ? SumPoles<1> : SumPoles<0>;
+  sum(surface, inU, inV, sums);
   const double w = sums[0][0].X[3];
   PatchPoint p;
   p.Point = Quotient(sums[0][0], w, {});

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PieceJoining.h"
 
+#include "CommonPoint.h"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -12,11 +14,10 @@ namespace sb
 namespace
 {
 
-constexpr double GapFactor = 8.0; ///< ends are not farther apart than so often the facets' error
+constexpr double GapFactor = 40.0; ///< a curve along an edge carries the facets' error so far
 constexpr double LeastGap = 1e-4; ///< in widths: closer ends belong together in any case
 constexpr double LargestGap = 1.0; ///< in widths
 constexpr double ShortestInWidths = 0.02; ///< from a joint to the next node
-constexpr double SameInWidths = 1e-10;
 
 class Joining
 {
@@ -57,6 +58,7 @@ private:
   struct Pair
   {
     bool Turns; ///< both pieces begin there, or end
+    bool IsAcross; ///< the borders have no point in common
     double Apart;
     PieceEnd First;
     PieceEnd Second;
@@ -136,18 +138,17 @@ private:
         const double apart = Length(Difference(a, b));
         const double most = std::clamp(GapFactor * (this->Ends[i].Gap + this->Ends[j].Gap),
           LeastGap * width, LargestGap * width);
-        const bool isSame = apart <= LeastGap * width;
-        if (apart <= most &&
-          (isSame || this->EdgesTouch(this->Ends[i].Number, this->Ends[j].Number)))
+        if (apart <= most)
         {
           const auto [first, second] = std::minmax(this->Ends[i].Number, this->Ends[j].Number);
-          this->Pairs.push_back({ first % 2 == second % 2, apart, first, second });
+          this->Pairs.push_back(
+            { first % 2 == second % 2, !this->EdgesTouch(first, second), apart, first, second });
         }
       }
     }
     std::sort(this->Pairs.begin(), this->Pairs.end(), [](const Pair& a, const Pair& b) {
-      return std::tie(a.Turns, a.Apart, a.First, a.Second) <
-        std::tie(b.Turns, b.Apart, b.First, b.Second);
+      return std::tie(a.Turns, a.IsAcross, a.Apart, a.First, a.Second) <
+        std::tie(b.Turns, b.IsAcross, b.Apart, b.First, b.Second);
     });
   }
 
@@ -156,15 +157,10 @@ private:
   {
     CurveNode first = this->NodeOf(a);
     CurveNode second = this->NodeOf(b);
-    const double apart = Length(Difference(first.Point, second.Point));
     if (&this->PatchOf(a) != &this->PatchOf(b) && this->ToCorner(a, b, first, second))
     {
       this->MoveEnd(a, first);
       this->MoveEnd(b, second);
-    }
-    else if (apart <= SameInWidths * this->Surface.Width())
-    {
-      this->NodeOf(b).Point = this->NodeOf(a).Point;
     }
   }
 
@@ -175,6 +171,7 @@ private:
     const Real3 start = first.Point;
     const double farthest = 4.0 * Length(Difference(first.Point, second.Point)) + 1e-6 * width;
     MovingLeastSquares::Neighbourhood near;
+    bool wasLast = false;
     for (int iteration = 0; iteration < 20; ++iteration)
     {
       const PatchPoint p = EvaluatePatch(this->PatchOf(a), first.U, first.V, 1);
@@ -186,11 +183,12 @@ private:
         return false;
       }
       first.Point = second.Point = p.Point;
-      const double rounding = 4e-16 * Length(p.Point);
-      if (std::max(std::abs(f.Value), Length(apart)) <= 1e-14 * width + rounding)
+      if (wasLast)
       {
         return true;
       }
+      wasLast = std::max(std::abs(f.Value), Length(apart)) <=
+        NegligibleValue(p.Point, this->Surface.Width());
       if (!Step(p, q, f, apart, first, second))
       {
         return false;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SectionSteps.h"
 
+#include "CommonPoint.h"
+
 #include <cmath>
 
 namespace sb
@@ -42,32 +44,12 @@ double SectionSteps::CurvatureAt(const CurveNode& node)
 
 CurveNode SectionSteps::Between(const CurveNode& a, const CurveNode& b, double t)
 {
-  Real3 x = PlusScaled(a.Point, t, Difference(b.Point, a.Point));
-  this->OntoCurve(x);
-  return { x, 0.0, 0.0 };
-}
-
-/** Newton's method in the plane; where it does not lead to the curve, x stays. */
-void SectionSteps::OntoCurve(Real3& x)
-{
-  const Real3 start = x;
-  for (int iteration = 0; iteration < 20; ++iteration)
-  {
-    const SurfaceValue f = this->Surface.EvaluateAt(x, 1, this->Near);
-    const Real3 inPlane = WithoutPartAlong(f.Gradient, this->Normal);
-    const double steepness = Dot(inPlane, inPlane);
-    const double step = std::abs(f.Value) / std::sqrt(steepness);
-    if (!f.IsNear || !(step < this->Spacing) || Length(Difference(x, start)) > this->Spacing)
-    {
-      x = start;
-      return;
-    }
-    x = PlusScaled(x, -f.Value / steepness, inPlane);
-    if (step < 1e-7 * this->Spacing)
-    {
-      return;
-    }
-  }
+  const Real3 wanted = PlusScaled(a.Point, t, Difference(b.Point, a.Point));
+  const CommonPoint on =
+    OntoCloudAndPlane(this->Surface, a.Point, this->Normal, wanted, this->Near);
+  // Where Newton's method does not lead to the curve nearby, the chord stands for it.
+  const bool isNear = on.Found && Length(Difference(on.Point, wanted)) <= this->Spacing;
+  return { isNear ? on.Point : wanted, 0.0, 0.0 };
 }
 
 } // namespace sb

@@ -47,7 +47,6 @@ public:
 private:
   double CurvatureAt(const CurveNode& node) override;
   CurveNode Between(const CurveNode& a, const CurveNode& b, double t) override;
-  void OntoCurve(Real3& x);
 
   const MovingLeastSquares& Surface;
   const Real3 Normal;

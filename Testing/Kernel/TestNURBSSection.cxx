@@ -165,6 +165,39 @@ void CirclesOnASphere()
   }
 }
 
+/** Circles around the axis of a torus: with a cylinder through the middle of its tube, with its
+ * equatorial plane, and with a sphere about its centre. */
+void CirclesOnATorus()
+{
+  std::mt19937 random(5);
+  const sb::CloudSurface made = clouds::SurfaceOf(clouds::Torus(30000, random));
+  const auto areCircles = [&](const DesignedSurface& designed, std::vector<double> radii) {
+    const NURBSSection section = SectionOf(made, designed, 1e-4);
+    CheckCurves(made, designed, section, 1e-4);
+    CHECK_EQUAL(section.Curves.size(), radii.size());
+    for (const NURBSCurve& curve : section.Curves)
+    {
+      CHECK(curve.Closed);
+      const double radius = LengthOf(curve) / (2.0 * clouds::Pi);
+      const auto found = std::find_if(
+        radii.begin(), radii.end(), [&](double r) { return std::abs(r - radius) < 1e-3; });
+      CHECK(found != radii.end());
+      if (found != radii.end())
+      {
+        radii.erase(found);
+      }
+      for (const Real3& x : curve.Points)
+      {
+        CHECK(std::abs(clouds::DistanceToTorus(x)) < 3e-4);
+      }
+    }
+  };
+  areCircles(OneFace(patches::Cylinder(1.0, 2.0)), { 1.0, 1.0 });
+  areCircles(
+    OneFace(patches::Parallelogram({ -2, -2, 0 }, { 4, 0, 0 }, { 0, 4, 0 })), { 0.6, 1.4 });
+  areCircles(OneFace(patches::Sphere(1.0)), { 0.92, 0.92 }); // r = (1 + 1 - 0.16) / 2
+}
+
 double DistanceToCurve(const Real3& x, const NURBSCurve& curve)
 {
   double least = 1e300;
@@ -581,6 +614,50 @@ void RandomPoses()
   CHECK(crossed > poses / 2);
 }
 
+/** Far from the origin coordinates have less digits; curves are the same to what is left of them.
+ */
+void FarFromTheOrigin()
+{
+  const Real3 by{ 1e6, -2e6, 3e6 };
+  clouds::Cloud cloud = clouds::Sphere(10000);
+  DesignedSurface designed = Bar(0.5, 0.4, 40);
+  const NURBSSection here = SectionOf(clouds::SurfaceOf(cloud), designed);
+  CHECK(here.Curves.empty());
+  std::vector<double> lengths;
+  for (const double away : { 0.0, 1.0 })
+  {
+    const Real3 move{ 0.8 + away * by[0], 0.1 + away * by[1], 0.3 + away * by[2] };
+    DesignedSurface moved = designed;
+    for (NURBSSurface& patch : moved.Patches)
+    {
+      patch = Moved(patch, move);
+    }
+    for (std::size_t i = 0; i < moved.Points.size(); ++i)
+    {
+      moved.Points[i] += move[i % 3];
+    }
+    clouds::Cloud points = cloud;
+    for (std::size_t i = 0; i < points.Points.size(); ++i)
+    {
+      points.Points[i] += away * by[i % 3];
+    }
+    const NURBSSection section = SectionOf(clouds::SurfaceOf(points), moved);
+    CHECK_EQUAL(section.Curves.size(), 1u);
+    for (const NURBSCurve& curve : section.Curves)
+    {
+      CHECK(curve.Closed);
+      CHECK(curve.LargestChordError <= 1e-3);
+      CHECK(curve.LargestResidual < (away == 0.0 ? 1e-14 : 1e-8));
+      for (const Real3& x : curve.Points)
+      {
+        CHECK(std::abs(Gap(x, sb::Scaled(by, away)) - 1.0) < 1e-5);
+      }
+      lengths.push_back(LengthOf(curve));
+    }
+  }
+  CHECK(lengths.size() == 2 && std::abs(lengths[0] - lengths[1]) < 1e-3);
+}
+
 bool AreEqual(const NURBSSection& a, const NURBSSection& b)
 {
   return std::equal(a.Curves.begin(), a.Curves.end(), b.Curves.begin(), b.Curves.end(),
@@ -647,6 +724,7 @@ void Aborts()
 int main()
 {
   CirclesOnASphere();
+  CirclesOnATorus();
   TrimmedPatches();
   CheckeredFaces();
   OverEdges();
@@ -655,6 +733,7 @@ int main()
   CoincidentAndTangential();
   OpenScans();
   RandomPoses();
+  FarFromTheOrigin();
   NothingElseMatters();
   Aborts();
   return check::Verdict("TestNURBSSection");
