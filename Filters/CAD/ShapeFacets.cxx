@@ -5,6 +5,9 @@
 #include "ClosestOnPatch.h"
 #include "FaceSurface.h"
 #include "PatchTurning.h"
+#include "PointTree.h"
+#include "PoleParameters.h"
+#include "SurfaceRefinement.h"
 
 #include <BRepBndLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
@@ -29,6 +32,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <utility>
 
 namespace sbvtk
@@ -39,8 +43,6 @@ namespace
 using sb::Real3;
 
 constexpr double largestTurn = 0.5; // of an edge at a corner, in radians: small holes stay round
-constexpr int mostRounds = 4;
-constexpr double worthIt = 0.9; // what a round has to make of the error
 constexpr double coarse = 3e-3; // of the diagonal
 
 struct MeshedFace
@@ -192,7 +194,6 @@ public:
         std::swap(uv[i], uv[i + 1]);
       }
     }
-    this->AddNormals(surface.Patch);
     this->Result.Surface.Patches.push_back(std::move(surface.Patch));
     this->Result.SolidOfFace.push_back(face.Solid);
   }
@@ -223,12 +224,11 @@ private:
       uv[2 * i + 1] = face.Triangles->UVNode(node).Y();
     }
     this->Shared.Share(face, points.data());
-    std::vector<double> gaps(count);
     this->Executor.For(
       static_cast<std::int64_t>(count), 64, [&](std::int64_t from, std::int64_t to) {
         for (std::size_t i = static_cast<std::size_t>(from); i < static_cast<std::size_t>(to); ++i)
         {
-          gaps[i] = this->Place(surface, points[i], uv[2 * i], uv[2 * i + 1]);
+          this->Place(surface, points[i], uv[2 * i], uv[2 * i + 1]);
         }
       });
     sb::DesignedSurface& all = this->Result.Surface;
@@ -236,25 +236,21 @@ private:
     for (std::size_t i = 0; i < count; ++i)
     {
       all.Points.insert(all.Points.end(), points[i].begin(), points[i].end());
-      this->Result.LargestGap = std::max(this->Result.LargestGap, gaps[i]);
     }
     all.UV.insert(all.UV.end(), uv.begin(), uv.end());
   }
 
-  /** The patch's parameters for a point, from those of its face; and how far off they are. */
-  double Place(const FaceSurface& surface, const Real3& point, double& u, double& v) const
+  /** The patch's parameters for a point, from those of its face. */
+  void Place(const FaceSurface& surface, const Real3& point, double& u, double& v) const
   {
     surface.Near(u, v);
-    const double there =
-      sb::Length(sb::Difference(sb::EvaluatePatch(surface.Patch, u, v, 0).Point, point));
-    if (there <= 1e-15 * this->Result.Diagonal)
+    const Real3 there = sb::EvaluatePatch(surface.Patch, u, v, 0).Point;
+    if (sb::Length(sb::Difference(there, point)) > 1e-15 * this->Result.Diagonal)
     {
-      return there;
+      const sb::PlaceOnPatch nearest = sb::ClosestOnPatchFrom(surface.Patch, point, u, v);
+      u = nearest.U;
+      v = nearest.V;
     }
-    const sb::PlaceOnPatch nearest = sb::ClosestOnPatchFrom(surface.Patch, point, u, v);
-    u = nearest.U;
-    v = nearest.V;
-    return nearest.Distance;
   }
 
   void AddTriangles(const MeshedFace& face, bool turned)
@@ -281,20 +277,6 @@ private:
         all.Triangles.insert(all.Triangles.end(), corners, corners + 3);
         all.FaceId.push_back(id);
       }
-    }
-  }
-
-  void AddNormals(const sb::NURBSSurface& patch)
-  {
-    const sb::DesignedSurface& all = this->Result.Surface;
-    for (std::size_t i = 2 * static_cast<std::size_t>(this->FirstPoint); i < all.UV.size(); i += 2)
-    {
-      const sb::PatchPoint at = sb::EvaluatePatch(patch, all.UV[i], all.UV[i + 1], 1);
-      const Real3 across = sb::Cross(at.Du, at.Dv);
-      const double size = sb::Length(across);
-      const bool known = size > 1e-12 * sb::Dot(at.Du, at.Du) + 1e-12 * sb::Dot(at.Dv, at.Dv);
-      const Real3 normal = known ? sb::Scaled(across, 1.0 / size) : Real3{};
-      this->Result.Normals.insert(this->Result.Normals.end(), normal.begin(), normal.end());
     }
   }
 
@@ -337,17 +319,112 @@ double ChordErrorOf(const sb::DesignedSurface& surface, std::size_t triangle)
   return largest;
 }
 
-double LargestChordError(const sb::DesignedSurface& surface, sb::Executor& executor)
+/** The largest of measure(i) for i below count. */
+double Largest(
+  std::size_t count, sb::Executor& executor, const std::function<double(std::size_t)>& measure)
 {
-  const std::size_t count = surface.FaceId.size();
-  std::vector<double> errors(count);
+  std::vector<double> values(count);
   executor.For(static_cast<std::int64_t>(count), 256, [&](std::int64_t from, std::int64_t to) {
     for (std::size_t i = static_cast<std::size_t>(from); i < static_cast<std::size_t>(to); ++i)
     {
-      errors[i] = ChordErrorOf(surface, i);
+      values[i] = measure(i);
     }
   });
-  return count == 0 ? 0.0 : *std::max_element(errors.begin(), errors.end());
+  return count == 0 ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+/** Which patch each point is on; -1: it is in no facet. */
+std::vector<std::int32_t> FacesOfPoints(const sb::DesignedSurface& surface)
+{
+  std::vector<std::int32_t> faces(surface.Points.size() / 3, -1);
+  for (std::size_t corner = 0; corner < surface.Triangles.size(); ++corner)
+  {
+    faces[static_cast<std::size_t>(surface.Triangles[corner])] = surface.FaceId[corner / 3];
+  }
+  return faces;
+}
+
+void MeasureErrors(ShapeFacets& facets, sb::Executor& executor)
+{
+  const sb::DesignedSurface& surface = facets.Surface;
+  const std::vector<std::int32_t> faces = FacesOfPoints(surface);
+  facets.LargestChordError = Largest(surface.FaceId.size(), executor,
+    [&surface](std::size_t triangle) { return ChordErrorOf(surface, triangle); });
+  facets.LargestGap = Largest(faces.size(), executor, [&](std::size_t i) {
+    if (faces[i] < 0)
+    {
+      return 0.0;
+    }
+    const sb::NURBSSurface& patch = surface.Patches[static_cast<std::size_t>(faces[i])];
+    const Real3 there = sb::EvaluatePatch(patch, surface.UV[2 * i], surface.UV[2 * i + 1], 0).Point;
+    return sb::Length(sb::Difference(there, PointAt(surface.Points, static_cast<std::int32_t>(i))));
+  });
+}
+
+/** Points in no facet, such as those between facets without area at a pole, are taken out. */
+void DropUnusedPoints(sb::DesignedSurface& surface)
+{
+  const std::vector<std::int32_t> faces = FacesOfPoints(surface);
+  std::vector<std::int32_t> numbers(faces.size(), -1);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (faces[i] >= 0)
+    {
+      std::copy_n(surface.Points.data() + 3 * i, 3, surface.Points.data() + 3 * count);
+      std::copy_n(surface.UV.data() + 2 * i, 2, surface.UV.data() + 2 * count);
+      numbers[i] = static_cast<std::int32_t>(count++);
+    }
+  }
+  surface.Points.resize(3 * count);
+  surface.UV.resize(2 * count);
+  for (std::int32_t& corner : surface.Triangles)
+  {
+    corner = numbers[static_cast<std::size_t>(corner)];
+  }
+}
+
+/** The sums of the areas of the facets around each point, as vectors. */
+std::vector<Real3> FacetNormals(const sb::DesignedSurface& surface)
+{
+  std::vector<Real3> sums(surface.Points.size() / 3);
+  for (std::size_t i = 0; i < surface.Triangles.size(); i += 3)
+  {
+    const std::int32_t* corners = surface.Triangles.data() + i;
+    const Real3 a = PointAt(surface.Points, corners[0]);
+    const Real3 across = sb::Cross(sb::Difference(PointAt(surface.Points, corners[1]), a),
+      sb::Difference(PointAt(surface.Points, corners[2]), a));
+    for (int k = 0; k < 3; ++k)
+    {
+      Real3& sum = sums[static_cast<std::size_t>(corners[k])];
+      sum = sb::PlusScaled(sum, 1.0, across);
+    }
+  }
+  return sums;
+}
+
+/** Those of the patches; at the pole of a sphere, where a patch has none, those of the facets. */
+void AddNormals(ShapeFacets& facets)
+{
+  const sb::DesignedSurface& surface = facets.Surface;
+  const std::vector<std::int32_t> faces = FacesOfPoints(surface);
+  std::vector<Real3> normals = FacetNormals(surface);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (faces[i] >= 0)
+    {
+      const sb::PatchPoint at =
+        sb::EvaluatePatch(surface.Patches[static_cast<std::size_t>(faces[i])], surface.UV[2 * i],
+          surface.UV[2 * i + 1], 1);
+      const Real3 across = sb::Cross(at.Du, at.Dv);
+      const bool isKnown =
+        sb::Length(across) > 1e-10 * (sb::Dot(at.Du, at.Du) + sb::Dot(at.Dv, at.Dv));
+      normals[i] = isKnown ? across : normals[i];
+    }
+    const double length = sb::Length(normals[i]);
+    const Real3 unit = length > 0.0 ? sb::Scaled(normals[i], 1.0 / length) : Real3{};
+    facets.Normals.insert(facets.Normals.end(), unit.begin(), unit.end());
+  }
 }
 
 /** Solids whose facets enclose less than nothing are turned over. */
@@ -391,10 +468,6 @@ void OrientSolids(ShapeFacets& facets)
       {
         done[point] = 1;
         std::swap(surface.UV[2 * point], surface.UV[2 * point + 1]);
-        for (std::size_t k = 3 * point; k < 3 * point + 3; ++k)
-        {
-          facets.Normals[k] = -facets.Normals[k];
-        }
       }
     }
   }
@@ -460,7 +533,8 @@ ShapeFacets Assemble(const TopoDS_Shape& shape, double diagonal, sb::Executor& e
     assembly.Add(face);
   }
   OrientSolids(facets);
-  facets.LargestChordError = LargestChordError(facets.Surface, executor);
+  SetPoleParameters(facets.Surface, diagonal);
+  MeasureErrors(facets, executor);
   return facets;
 }
 
@@ -471,50 +545,58 @@ bool IsTooFine(std::int64_t count, double bound, double next, std::int64_t mostT
   return static_cast<double>(count) * bound > static_cast<double>(mostTriangles) * next;
 }
 
+/** Cut the facets that are further from their patch than they may be. The refinement is made for
+ * what is near a cloud; here everything is near. */
+void Refine(ShapeFacets& facets, double bound, sb::Executor& executor, sb::Monitor& monitor)
+{
+  const double here[3] = { facets.Surface.Points[0], facets.Surface.Points[1],
+    facets.Surface.Points[2] };
+  sb::RefinementRequest request;
+  request.Near = request.LongestEdge = 4.0 * facets.Diagonal;
+  request.ChordError = 0.9 * bound; // it looks at fewer places than are measured here
+  sb::RefinedSurface refined = sb::RefineNearCloud(
+    facets.Surface, sb::PointTree(here, 1, nullptr, executor), request, executor, monitor);
+  if (refined.Status == sb::RefinementStatus::Ok)
+  {
+    facets.Surface = std::move(refined.Surface);
+    SetPoleParameters(facets.Surface, facets.Diagonal);
+    MeasureErrors(facets, executor);
+  }
+}
+
 } // namespace
 
 ShapeFacets MakeShapeFacets(const TopoDS_Shape& shape, double chordError,
-  std::int64_t mostTriangles, sb::Executor& executor, const Message_ProgressRange& progress)
+  std::int64_t mostTriangles, sb::Executor& executor, sb::Monitor& monitor,
+  const Message_ProgressRange& progress)
 {
-  Message_ProgressScope scope(progress, "", mostRounds + 1);
+  Message_ProgressScope scope(progress, "", 2);
   // First coarsely, to see how large the shape is and how many facets there would be.
-  double deflection = std::max(chordError, coarse) * LooseDiagonal(shape);
+  const double deflection = std::max(chordError, coarse) * LooseDiagonal(shape);
   ShapeFacets facets;
   if (!(deflection > 0.0))
   {
     return facets;
   }
-  std::int64_t count = Mesh(shape, deflection, scope.Next());
+  const std::int64_t count = Mesh(shape, deflection, scope.Next());
   const double diagonal = DiagonalOfNodes(shape);
   const double bound = chordError * diagonal;
   if (deflection > bound)
   {
-    if (IsTooFine(count, deflection, bound, mostTriangles))
+    facets.IsTooFine = IsTooFine(count, deflection, bound, mostTriangles);
+    if (facets.IsTooFine)
     {
-      facets.IsTooFine = true;
       return facets;
     }
-    deflection = bound;
-    count = Mesh(shape, deflection, scope.Next());
+    Mesh(shape, bound, scope.Next());
   }
   facets = Assemble(shape, diagonal, executor);
-  for (int round = 1; round < mostRounds && scope.More() && facets.LargestChordError > bound;
-       ++round)
+  if (facets.LargestChordError > bound && scope.More())
   {
-    const double next = deflection * std::clamp(0.8 * bound / facets.LargestChordError, 0.2, 0.8);
-    if (IsTooFine(count, deflection, next, mostTriangles))
-    {
-      break;
-    }
-    deflection = next;
-    count = Mesh(shape, deflection, scope.Next());
-    ShapeFacets finer = Assemble(shape, diagonal, executor);
-    if (finer.LargestChordError > worthIt * facets.LargestChordError)
-    {
-      break;
-    }
-    facets = std::move(finer);
+    Refine(facets, bound, executor, monitor);
   }
+  DropUnusedPoints(facets.Surface);
+  AddNormals(facets);
   return facets;
 }
 

@@ -7,8 +7,8 @@
  * Open CASCADE cuts the faces into triangles. Where two faces meet, both get the same points, to
  * the bit; the parameters of each point are then those of the nearest point of its own patch. That
  * is the point itself inside of a face, and on an edge as near as the file has joined the faces.
- * Open CASCADE's bound on the chord is a wish; it is measured on the patches, and asked for more
- * strictly until it holds.
+ * Open CASCADE's bound on the chord is a wish; it is measured on the patches, and facets that do
+ * not keep it are cut.
  */
 #ifndef ShapeFacets_h
 #define ShapeFacets_h
@@ -28,7 +28,7 @@ namespace sbvtk
 struct ShapeFacets
 {
   sb::DesignedSurface Surface; ///< triangles point out of solids
-  std::vector<double> Normals; ///< of the patches at the points; 0 0 0 where they have none
+  std::vector<double> Normals; ///< of the patches at the points
   std::vector<std::int32_t> SolidOfFace; ///< counted from 0; -1: of none
   std::int64_t NumberOfSolids = 0;
   std::int64_t NumberOfApproximations = 0; ///< faces that no rational B-spline can be
@@ -43,7 +43,8 @@ struct ShapeFacets
  * @param chordError the bound, as a share of the diagonal of the shape's box
  */
 ShapeFacets MakeShapeFacets(const TopoDS_Shape& shape, double chordError,
-  std::int64_t mostTriangles, sb::Executor& executor, const Message_ProgressRange& progress);
+  std::int64_t mostTriangles, sb::Executor& executor, sb::Monitor& monitor,
+  const Message_ProgressRange& progress);
 
 } // namespace sbvtk
 

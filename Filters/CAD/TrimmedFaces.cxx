@@ -5,6 +5,7 @@
 #include "DisjointSets.h"
 #include "FaceLoops.h"
 #include "FaceSurface.h"
+#include "ShellSolids.h"
 
 #include <BRep_Builder.hxx>
 #include <Geom2dAPI_Interpolate.hxx>
@@ -423,6 +424,7 @@ TrimmedFaces ShapeBuilder::MakeShells()
   }
   TopoDS_Compound all;
   this->Builder.MakeCompound(all);
+  std::vector<TopoDS_Shell> closed;
   for (const std::vector<std::size_t>& faces : this->ConnectedFaces())
   {
     TopoDS_Shell shell;
@@ -434,17 +436,18 @@ TrimmedFaces ShapeBuilder::MakeShells()
     if (this->IsClosed(faces))
     {
       shell.Closed(Standard_True);
-      TopoDS_Solid solid;
-      this->Builder.MakeSolid(solid);
-      this->Builder.Add(solid, shell);
-      this->Builder.Add(all, solid);
-      ++result.NumberOfSolids;
+      closed.push_back(shell);
     }
     else
     {
       this->Builder.Add(all, shell);
       ++result.NumberOfOpenShells;
     }
+  }
+  for (const TopoDS_Solid& solid : MakeSolids(closed))
+  {
+    this->Builder.Add(all, solid);
+    ++result.NumberOfSolids;
   }
   result.Shape = all;
   return result;

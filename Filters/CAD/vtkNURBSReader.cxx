@@ -187,7 +187,7 @@ void vtkNURBSReader::Run::MakeFacets()
     this->Check(
       sbvtk::RunCAD(monitor, 0.0, 1.0, "Make facets", [&](const Message_ProgressRange& progress) {
         this->Facets = sbvtk::MakeShapeFacets(
-          this->Shape, this->Reader->ChordError, mostTriangles, this->Executor, progress);
+          this->Shape, this->Reader->ChordError, mostTriangles, this->Executor, monitor, progress);
       }));
   }
   if (this->Facets.IsTooFine)
@@ -199,7 +199,8 @@ void vtkNURBSReader::Run::MakeFacets()
   if (this->Facets.Surface.FaceId.empty())
   {
     throw Failure{ NO_FACES,
-      this->File() + "has no faces that can be shown; export surfaces or solids to it." };
+      this->File() +
+        "has no faces that can be shown; export surfaces or solids to it, anew if it is damaged." };
   }
   this->Times.push_back({ "Make facets", this->Watch.Lap() });
 }
@@ -227,9 +228,10 @@ void vtkNURBSReader::Run::Examine()
   if (this->Facets.NumberOfBareFaces > 0)
   {
     this->Warn(INCOMPLETE,
-      this->File() + "has " + std::to_string(this->Facets.NumberOfBareFaces) +
-        " faces that could not be cut into triangles and are left out; repair them in the program "
-        "that made it.");
+      std::to_string(this->Facets.NumberOfBareFaces) + " of the faces of the file " +
+        this->Reader->FileName +
+        " could not be cut into triangles and are left out; repair them in the program that made "
+        "it.");
   }
   if (!this->Closed)
   {

@@ -105,12 +105,24 @@ def cylinder(step, radius, height):
 
 
 def sphere(step, radius, center=(0, 0, 0)):
+    return step.solid(sphere_face(step, radius, center))
+
+
+def hollow_sphere(step, radius, hollow):
+    """A ball with a ball taken out of its middle: a shell inside of the other, turned round."""
+    outer = step.add(f"CLOSED_SHELL('',({sphere_face(step, radius)}))")
+    inner = step.add(f"CLOSED_SHELL('',({sphere_face(step, hollow)}))")
+    void = step.add(f"ORIENTED_CLOSED_SHELL('',*,{inner},.F.)")
+    return step.add(f"BREP_WITH_VOIDS('',{outer},({void}))")
+
+
+def sphere_face(step, radius, center=(0, 0, 0)):
     """One face between its poles, with a seam from one to the other."""
     south, north = (step.vertex((center[0], center[1], center[2] + z)) for z in (-radius, radius))
     meridian = step.add(f"CIRCLE('',{step.axes(center, (0, -1, 0), (1, 0, 0))},{radius!r})")
     seam = step.edge(south, north, meridian)
     surface = step.add(f"SPHERICAL_SURFACE('',{step.axes(center)},{radius!r})")
-    return step.solid(step.face(surface, step.loop((seam, True), (seam, False))))
+    return step.face(surface, step.loop((seam, True), (seam, False)))
 
 
 def torus(step, ring, tube):
@@ -127,10 +139,12 @@ def torus(step, ring, tube):
 VOLUMES = {
     "cylinder": lambda radius, height: math.pi * radius**2 * height,
     "sphere": lambda radius: 4 / 3 * math.pi * radius**3,
+    "hollow_sphere": lambda radius, hollow: 4 / 3 * math.pi * (radius**3 - hollow**3),
     "torus": lambda ring, tube: 2 * math.pi**2 * ring * tube**2,
 }
 AREAS = {
     "cylinder": lambda radius, height: 2 * math.pi * radius * (radius + height),
     "sphere": lambda radius: 4 * math.pi * radius**2,
+    "hollow_sphere": lambda radius, hollow: 4 * math.pi * (radius**2 + hollow**2),
     "torus": lambda ring, tube: 4 * math.pi**2 * ring * tube,
 }

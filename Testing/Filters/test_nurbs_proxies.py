@@ -61,6 +61,17 @@ def test_data_are_saved_by_name(tmp_path):
     assert np.array(after) == pytest.approx(np.array(before) + [100, 100, 0, 0, 0, 0], abs=0.1)
 
 
+def test_patches_survive_a_file_of_facets(tmp_path):
+    """What was saved as .vtk is still a designed body."""
+    simple.SaveData(str(tmp_path / "facets.vtk"), proxy=simple.NURBSReader(FileName=SCREW))
+    facets = simple.OpenDataFile(str(tmp_path / "facets.vtk"))
+    simple.SaveData(str(tmp_path / "again.step"), proxy=facets)
+    again = simple.OpenDataFile(str(tmp_path / "again.step"))
+    again.UpdatePipeline()
+    assert again.FieldData["NumberOfSolids"].GetRange() == (1, 1)
+    assert again.FieldData["NumberOfFaces"].GetRange() == (10, 10)
+
+
 @pytest.mark.parametrize("kind", ["pvsm", "py"])
 def test_patches_are_there_after_a_state_was_replayed(tmp_path, kind):
     reader = simple.OpenDataFile(SCREW)

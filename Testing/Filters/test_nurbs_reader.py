@@ -39,7 +39,7 @@ def diagonal(result):
     return np.linalg.norm(points.max(axis=0) - points.min(axis=0))
 
 
-SOLIDS = [("cylinder", 2.0, 5.0), ("sphere", 3.0), ("torus", 4.0, 1.0)]
+SOLIDS = [("cylinder", 2.0, 5.0), ("sphere", 3.0), ("hollow_sphere", 3.0, 1.5), ("torus", 4.0, 1.0)]
 
 
 @pytest.mark.parametrize("shape", SOLIDS, ids=lambda s: s[0])
@@ -103,7 +103,7 @@ def test_assemblies_have_their_parts_in_place(tmp_path):
 REAL = {
     "step/linkrods.step": dict(faces=37, solids=1, volume=3.847, rel=1e-3),
     "step/screw.step": dict(faces=10, solids=1, volume=3788.27, rel=2.5e-3),
-    "iges/hammer.iges": dict(faces=45, solids=1, volume=2.05929e11, rel=2.5e-3),
+    "iges/hammer.iges": dict(faces=45, solids=1, volume=2.05929e11, rel=3.5e-3),
 }
 
 
@@ -127,8 +127,9 @@ def test_real_solids(name):
     assert gaps.max() < 1e-4 * size
 
 
-def test_normals_are_those_of_the_patches():
-    result = cad.read(f"{cad.SAMPLES}/step/screw.step")
+@pytest.mark.parametrize("shape", [None, *SOLIDS], ids=lambda s: s[0] if s else "screw")
+def test_normals_are_those_of_the_patches(tmp_path, shape):
+    result = cad.read(step_of(tmp_path, *shape) if shape else f"{cad.SAMPLES}/step/screw.step")
     a, b, c = (result.body.points[result.body.triangles[:, k]] for k in range(3))
     facet = np.cross(b - a, c - a)
     large = np.linalg.norm(facet, axis=1) > 1e-6 * np.linalg.norm(facet, axis=1).max()
@@ -150,6 +151,7 @@ def test_open_shapes_are_read_and_said_to_be_open():
     assert result.status == OPEN and result.number("Closed") == 0
     assert result.errors == [] and "open" in result.warnings[0]
     assert result.number("NumberOfFaces") == 213
+    assert cad.chord_errors(result).max() <= 4e-3 * diagonal(result)
 
 
 def test_reading_twice_gives_the_same_bytes():
@@ -199,26 +201,32 @@ def test_what_cannot_be_read_is_refused_in_one_sentence(tmp_path, make, settings
     assert result.data.GetNumberOfPoints() == 0 and result.data.GetNumberOfCells() == 0
 
 
+def damaged(tmp_path, name, seed, count):
+    """Copies of a file in which a few letters are others."""
+    with open(f"{cad.SAMPLES}/{name}", encoding="latin1") as file:
+        text = file.read()
+    rng, paths = np.random.default_rng(seed), []
+    for k in range(count):
+        letters = list(text)
+        for place in rng.integers(len(text) // 20, len(text), int(rng.integers(1, 80))):
+            letters[place] = "0123456789.,#()$-+E*"[rng.integers(20)]
+        paths.append(tmp_path / f"damaged_{k}.{name.rsplit('.', 1)[1]}")
+        paths[-1].write_text("".join(letters), encoding="latin1")
+    return paths
+
+
 def test_damaged_files_end_in_a_sentence_or_a_surface(tmp_path):
-    """Cut off, or with numbers changed: never a crash (a process of its own would show one)."""
+    """Never a crash, which a process of its own would show: on some of these Open CASCADE reads where there is nothing."""
     script = (
         "import sys; sys.path.insert(0, sys.argv[1]); import cad\n"
         "for path in sys.argv[2:]:\n"
         "    result = cad.read(path, ChordError=0.01)\n"
         "    print(result.status, len(result.errors), result.data.GetNumberOfCells())\n"
     )
-    text = open(f"{cad.SAMPLES}/step/screw.step", encoding="latin1").read()
-    rng = np.random.default_rng(3)
-    paths = [str(cut_off(tmp_path))]
-    for k in range(12):
-        letters = list(text)
-        for place in rng.integers(len(text) // 20, len(text), 30):
-            letters[place] = "0123456789.,#()$"[rng.integers(16)]
-        path = tmp_path / f"damaged_{k}.step"
-        path.write_text("".join(letters), encoding="latin1")
-        paths.append(str(path))
+    paths = [cut_off(tmp_path)]
+    paths += damaged(tmp_path, "step/screw.step", 3, 10) + damaged(tmp_path, "iges/hammer.iges", 11, 6)
     done = subprocess.run(
-        [sys.executable, "-c", script, os.path.dirname(__file__), *paths],
+        [sys.executable, "-c", script, os.path.dirname(__file__), *map(str, paths)],
         capture_output=True,
         text=True,
         timeout=120,

@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkThreshold
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 import cad
 import measures
@@ -62,7 +63,7 @@ def written_and_read(data, tmp_path, **settings):
     return said, cad.read(path, **settings)
 
 
-SOLIDS = [("cylinder", 2.0, 5.0), ("sphere", 3.0), ("torus", 4.0, 1.0)]
+SOLIDS = [("cylinder", 2.0, 5.0), ("sphere", 3.0), ("hollow_sphere", 3.0, 1.5), ("torus", 4.0, 1.0)]
 
 
 @pytest.mark.parametrize("shape", SOLIDS, ids=lambda s: s[0])
@@ -136,6 +137,30 @@ def test_a_face_cut_in_two_is_two_faces(tmp_path):
     assert (said.faces, said.solids, said.shells) == (2, 0, 2)
     assert again.number("NumberOfFaces") == 2
     assert measures.area(again.body) == pytest.approx(measures.area(cad.plain(caps).body), rel=5e-3)
+
+
+def test_what_a_boolean_leaves_is_written(tmp_path):
+    """Connecting rods with a ball of facets taken out: the rods' faces, some of them cut in two, in two parts."""
+    from surfacebooleans.vtk import vtkPolyDataBooleanOperationFilter
+
+    first = cad.read(f"{cad.SAMPLES}/step/linkrods.step", ChordError=5e-4)
+    ball = vtkSphereSource()
+    ball.SetCenter(first.data.GetCenter())
+    ball.SetThetaResolution(64)
+    ball.SetPhiResolution(64)
+    ball.SetRadius(1.0)
+    boolean = vtkPolyDataBooleanOperationFilter()
+    boolean.SetOperationToDifference()
+    boolean.SetInputDataObject(0, first.data)
+    boolean.SetInputConnection(1, ball.GetOutputPort())
+    boolean.Update()
+    left = cad.plain(boolean.GetOutput())
+    face = left.cell_data["FaceId"]
+    assert np.array_equal(face == -1, left.cell_data["SourceId"] == 1)
+    said, again = written_and_read(left.data, tmp_path, ChordError=5e-4)
+    assert (said.faces, said.solids, said.shells) == (46, 0, 2)
+    kept = type(left.body)(left.body.points, left.body.triangles[face >= 0])
+    assert measures.area(again.body) == pytest.approx(measures.area(kept), rel=1e-3)
 
 
 def taken(data, chosen):
