@@ -10,9 +10,11 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 
 import meshes
 from booleans import polydata
+from cad import basis
 
 ROOT = np.sqrt(0.5)
-CIRCLE = [(1, 0, 1), (1, 1, ROOT), (0, 1, 1), (-1, 1, ROOT), (-1, 0, 1), (-1, -1, ROOT), (0, -1, 1), (1, -1, ROOT), (1, 0, 1)]
+CIRCLE = [(1, 0, 1), (1, 1, ROOT), (0, 1, 1), (-1, 1, ROOT), (-1, 0, 1), (-1, -1, ROOT), (0, -1, 1), (1, -1, ROOT)]
+CIRCLE += CIRCLE[:1]
 
 
 @dataclass
@@ -24,32 +26,12 @@ class Patch:
     def __call__(self, u, v):
         """Points at arrays of u and v."""
         along_u, along_v = (
-            basis(k, d, n, np.asarray(t)) for k, d, n, t in zip(self.knots, self.degrees, self.poles.shape, (u, v))
+            basis(np.asarray(k, dtype=float), d, np.asarray(t)) for k, d, t in zip(self.knots, self.degrees, (u, v))
         )
         weights = self.poles[..., 3]
         weighted = self.poles[..., :3] * weights[..., None]
         above = np.einsum("ni,nj,ijk->nk", along_u, along_v, weighted)
         return above / np.einsum("ni,nj,ij->n", along_u, along_v, weights)[:, None]
-
-
-def basis(knots, degree, count, t):
-    """All basis functions at each t (Cox and de Boor), by their definition."""
-    knots = np.asarray(knots, dtype=float)
-    last = np.flatnonzero(knots[:-1] < knots[1:])[-1]
-    b = np.stack(
-        [(knots[i] <= t) & ((t < knots[i + 1]) | ((i == last) & (t == knots[i + 1]))) for i in range(len(knots) - 1)], 1
-    ).astype(float)
-    for d in range(1, degree + 1):
-        columns = []
-        for i in range(len(knots) - 1 - d):
-            value = np.zeros(len(t))
-            if knots[i + d] > knots[i]:
-                value += (t - knots[i]) / (knots[i + d] - knots[i]) * b[:, i]
-            if knots[i + d + 1] > knots[i + 1]:
-                value += (knots[i + d + 1] - t) / (knots[i + d + 1] - knots[i + 1]) * b[:, i + 1]
-            columns.append(value)
-        b = np.stack(columns, 1)
-    return b[:, :count]
 
 
 def arc_knots(arcs):
@@ -87,7 +69,8 @@ def body(patches, across=(24, 12)):
     points, triangles, uv, face = [], [], [], []
     count_u, count_v = across
     for number, patch in enumerate(patches):
-        u, v = (a.ravel() for a in np.meshgrid(np.arange(count_u + 1) / count_u, np.arange(count_v + 1) / count_v, indexing="ij"))
+        along_u, along_v = np.arange(count_u + 1) / count_u, np.arange(count_v + 1) / count_v
+        u, v = (a.ravel() for a in np.meshgrid(along_u, along_v, indexing="ij"))
         x = np.round(patch(u, v) * 2.0**40) / 2.0**40 + 0.0  # so that seams and neighbours meet
         first = sum(len(p) for p in points)
         ids = first + np.arange(len(x)).reshape(count_u + 1, count_v + 1)

@@ -7,9 +7,10 @@ import pytest
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 
+import cad
 import clouds
 import patches
-from booleans import arrays_of
+from booleans import arrays_of, points_of
 from test_point_set_mesh_intersection import FACETS_ONLY, OK, TOOL_BORDER, curves_of, values_at
 
 
@@ -142,3 +143,25 @@ def test_a_patch_that_cannot_be_used_is_told():
     result = curves_of(clouds.cloud(points + [0, 1.2, 0], normals), tool)
     assert result.status == FACETS_ONLY and len(result.warnings) == 1 and not result.errors
     assert len(result.lines) == 1 and arrays_of(result.data.GetPointData()).keys() >= {"OriginalCellId"}
+
+
+@pytest.mark.parametrize("name, share", [("step/screw.step", 1.1), ("step/linkrods.step", 0.9)])
+def test_a_real_scan_and_a_real_cad_file(name, share):
+    """The kitten, made as large as the body and turned through it: all loops, on both."""
+    cad.needs_cad()
+    body = cad.read(f"{cad.SAMPLES}/{name}")
+    points, normals = clouds.cgal_cloud("kitten.xyz")
+    corners = points_of(body.data)
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    size = np.linalg.norm(high - low)
+    points = points * share * size / np.linalg.norm(points.max(axis=0) - points.min(axis=0)) + (low + high) / 2
+    data = clouds.cloud(points, normals)
+    result = curves_of(data, body.data)
+    assert result.status == OK and not result.errors and not result.warnings
+    assert len(result.lines) > 0 and result.of_curves["Closed"].all()
+    assert result.of_curves["ChordError"].max() <= 0.1 * result.fields["Spacing"][0]
+    exact = cad.Patches(body.field_data)
+    for face in np.unique(result.of_points["FaceId"]):
+        mine = result.of_points["FaceId"] == face
+        assert np.abs(exact.points(face, result.of_points["UV"][mine]) - result.points[mine]).max() <= 1e-12 * size
+    assert np.abs(values_at(data, result.points)).max() <= 1e-12 * size
