@@ -19,6 +19,7 @@ namespace
 constexpr std::int64_t Grain = 64;
 constexpr double ShortEdge = 0.2; ///< in spacings; moves are about a tenth as long
 constexpr double FlatEnough = 0.02; ///< in spacings: how far a collapse may bend the tool
+constexpr double FlatAtLast = 0.1; ///< the same, for what is stuck else
 constexpr double LongestMove = 1.0; ///< in spacings
 constexpr double ClearedWay = 3.0; ///< in ways of a vertex that is stuck
 /** Cosines between a triangle and its surface. */
@@ -97,6 +98,7 @@ public:
     this->MoveAll();
     this->HelpStuck();
     this->AtLast = true;
+    this->FindTargetsAcross();
     this->MoveAll();
     this->HelpStuck();
   }
@@ -227,10 +229,16 @@ private:
       });
   }
 
+  /** How far the tool may be bent. */
+  double BendOfTool() const
+  {
+    return (this->AtLast ? FlatAtLast : FlatEnough) * this->Request.Spacing;
+  }
+
   bool IsFlatTowards(std::int32_t gone, std::int32_t kept) const
   {
-    return IsNearPlanes(*this->Request.Tool, this->ToolTrianglesAt(gone), this->Mesh.Point(kept),
-      FlatEnough * this->Request.Spacing);
+    return IsNearPlanes(
+      *this->Request.Tool, this->ToolTrianglesAt(gone), this->Mesh.Point(kept), this->BendOfTool());
   }
 
   /** Collapse what is short at the seam. */
@@ -297,16 +305,15 @@ private:
   {
     this->ForSeam([this](std::size_t i, auto& near) {
       const std::int32_t point = this->Seam[i];
-      if (this->Done[i] || this->Edit.IsGone(point) ||
-        this->Freedoms[i].What == SeamFreedom::Kind::Patch)
+      if (this->Done[i] || this->Edit.IsGone(point))
       {
         return;
       }
       const SeamTarget target = FindSeamTargetAcross(*this->Request.Cloud, *this->Request.Tool,
         this->Mesh.Point(point), LongestMove * this->Request.Spacing, near);
       if (target.Reached &&
-        IsNearPlanes(*this->Request.Tool, this->ToolTrianglesAt(point), target.Place,
-          FlatEnough * this->Request.Spacing))
+        IsNearPlanes(
+          *this->Request.Tool, this->ToolTrianglesAt(point), target.Place, this->BendOfTool()))
       {
         this->Targets[i] = target;
       }

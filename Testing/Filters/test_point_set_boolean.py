@@ -99,10 +99,10 @@ def test_the_seam_is_the_circle_in_which_the_ball_meets_the_box():
 def test_a_drilled_torus(operation, noise):
     """A rod through the torus along y: a cloud of two holes."""
     rng = np.random.default_rng(2)
-    points, normals = clouds.torus(20000, rng)
-    spacing = np.sqrt(4 * np.pi**2 * 0.4 / 20000)
+    points, normals = clouds.torus(10000, rng)
+    spacing = np.sqrt(4 * np.pi**2 * 0.4 / 10000)
     points = points + noise * spacing * rng.normal(size=(len(points), 1)) * normals
-    result = run(clouds.cloud(points, normals), cloud_booleans.rod(0.2, 4.0, 100), operation)
+    result = run(clouds.cloud(points, normals), cloud_booleans.rod(0.2, 4.0, 64), operation)
     assert is_sound(result)
     assert len(arrays_of(result.curves.GetCellData())["Closed"]) == 4
     torus, rod = 2 * np.pi**2 * 0.16, np.pi * 0.04 * 4
