@@ -96,8 +96,8 @@ std::string OfOrientation(const CheckFindings& findings)
   if (counts.ContradictoryEdges > 0)
   {
     text += " At " + Number(counts.ContradictoryEdges, "edge", "edges") +
-      " neighbouring polygons are oriented against each other: apply Generate Surface Normals with "
-      "Consistency on.";
+      " neighbouring polygons are oriented against each other: apply Clean, then Generate Surface "
+      "Normals with Consistency on.";
   }
   if (counts.OneSidedShells > 0)
   {
@@ -139,11 +139,11 @@ std::string OfEdges(const CheckFindings& findings)
     text += " It is open: " + Number(counts.RimEdges, "edge has", "edges have") +
       " one polygon only and " + Either(counts.RimEdges, "makes ", "make ") +
       Number(counts.Rims, "loop", "loops") +
-      " (Defects, LoopId): where points that should be one lie a little apart, apply Clean with a "
-      "small tolerance, or set Tolerance of Surface Boolean; a flat hole is filled by Threshold of "
-      "its LoopId, Extract Surface, Contour Triangulator and Append Geometry; as a Tool it may "
-      "stay "
-      "open, if it cuts the Input through.";
+      " (LoopId): where points that should be one lie a little apart, apply Clean with a small "
+      "tolerance; a flat hole is filled by Threshold of its LoopId in Defects, Extract Surface and "
+      "Contour Triangulator, then Append Geometry, Clean, and Generate Surface Normals with "
+      "Consistency on; as a Tool of Surface Boolean the surface may stay open, if it cuts the "
+      "Input through.";
   }
   if (counts.ManyFoldEdges > 0)
   {
