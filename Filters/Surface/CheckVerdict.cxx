@@ -80,10 +80,10 @@ std::string OfUnusableCells(const CheckFindings& findings)
       " coordinates that are not finite numbers, ";
     text += findings.NotFiniteCells > 0
       ? "and " + Number(findings.NotFiniteCells, "cell uses", "cells use") +
-        " them: such cells are left out of Surface (field array BadCellIds); repair the points, or "
-        "go on with Surface and close the holes that are left."
+        " such points: both are left out of Surface (field arrays BadPointIds, BadCellIds); repair "
+        "the points, or go on with Surface and close the holes that are left."
       : "but no cell uses " + Either(points, "it", "them") + ": Clean removes " +
-        Either(points, "it.", "them.");
+        Either(points, "it", "them") + ", and Surface is without.";
   }
   return text;
 }
