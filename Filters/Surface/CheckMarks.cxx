@@ -10,10 +10,13 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 namespace sbvtk
 {
@@ -54,56 +57,108 @@ void AddArray(
   attributes->AddArray(array);
 }
 
-/** Cells of one kind that are wanted, and their numbers in the data set. */
-vtkSmartPointer<vtkCellArray> Selected(vtkCellArray* cells, vtkIdType first,
-  vtkIdType numberOfPoints, const CellMarks& marks, vtkIdList* kept)
+/** What stays of the points and of the cells, by their ids in the data set; null if all do. */
+struct Kept
 {
-  const auto result = vtkSmartPointer<vtkCellArray>::New();
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
-  {
-    cells->GetCellAtId(i, ids);
-    const bool isDrawable = std::all_of(
-      ids->begin(), ids->end(), [=](vtkIdType id) { return id >= 0 && id < numberOfPoints; });
-    if (isDrawable && !marks.IsUnusable(first + i))
-    {
-      result->InsertNextCell(ids);
-      kept->InsertNextId(first + i);
-    }
-  }
-  return result;
-}
+  vtkSmartPointer<vtkIdList> Points;
+  vtkSmartPointer<vtkIdList> Cells;
 
-/** The surface without its unusable cells; all points stay. @return the cells that stay. */
-vtkSmartPointer<vtkIdList> CopyUsableCells(
-  vtkPolyData* surface, const CellMarks& marks, vtkPolyData* output)
+  vtkIdType Point(vtkIdType i) const { return this->Points ? this->Points->GetId(i) : i; }
+  vtkIdType Cell(vtkIdType i) const { return this->Cells ? this->Cells->GetId(i) : i; }
+};
+
+/** The tuples of what stays, in the attributes of the output. */
+void CopyTuples(vtkDataSetAttributes* from, vtkIdList* kept, vtkDataSetAttributes* to)
 {
-  const auto kept = vtkSmartPointer<vtkIdList>::New();
-  const vtkIdType points = surface->GetNumberOfPoints();
-  output->SetPoints(surface->GetPoints());
-  output->GetPointData()->ShallowCopy(surface->GetPointData());
-  output->GetFieldData()->ShallowCopy(surface->GetFieldData());
-  vtkIdType first = 0;
-  for (const auto& [get, set] : { std::make_pair(&vtkPolyData::GetVerts, &vtkPolyData::SetVerts),
-         std::make_pair(&vtkPolyData::GetLines, &vtkPolyData::SetLines),
-         std::make_pair(&vtkPolyData::GetPolys, &vtkPolyData::SetPolys),
-         std::make_pair(&vtkPolyData::GetStrips, &vtkPolyData::SetStrips) })
-  {
-    vtkCellArray* cells = (surface->*get)();
-    (output->*set)(Selected(cells, first, points, marks, kept));
-    first += cells->GetNumberOfCells();
-  }
   vtkNew<vtkIdList> places;
   places->SetNumberOfIds(kept->GetNumberOfIds());
-  for (vtkIdType i = 0; i < kept->GetNumberOfIds(); ++i)
-  {
-    places->SetId(i, i);
-  }
-  output->GetCellData()->CopyAllOn();
-  output->GetCellData()->CopyAllocate(surface->GetCellData(), kept->GetNumberOfIds());
-  output->GetCellData()->CopyData(surface->GetCellData(), kept, places);
-  return kept;
+  std::iota(places->begin(), places->end(), 0);
+  to->CopyAllOn();
+  to->CopyAllocate(from, kept->GetNumberOfIds());
+  to->CopyData(from, kept, places);
 }
+
+/** The surface without its unusable cells, and without points that have no place. */
+class UsablePart
+{
+public:
+  UsablePart(vtkPolyData* surface, const sb::SurfaceCheckResult& result, const CellMarks& marks)
+    : Surface(surface)
+    , Marks(marks)
+  {
+    this->Left.Points = vtkSmartPointer<vtkIdList>::New();
+    this->Left.Cells = vtkSmartPointer<vtkIdList>::New();
+    for (const std::uint16_t mark : result.PointMarks)
+    {
+      const bool isPlace = (mark & sb::BitOf(sb::Defect::NotFinite)) == 0;
+      this->NewIds.push_back(isPlace ? this->Left.Points->GetNumberOfIds() : -1);
+      if (isPlace)
+      {
+        this->Left.Points->InsertNextId(static_cast<vtkIdType>(this->NewIds.size()) - 1);
+      }
+    }
+  }
+
+  Kept CopyTo(vtkPolyData* output)
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataType(this->Surface->GetPoints()->GetDataType());
+    points->SetNumberOfPoints(this->Left.Points->GetNumberOfIds());
+    this->Surface->GetPoints()->GetData()->GetTuples(this->Left.Points, points->GetData());
+    output->SetPoints(points);
+    vtkIdType first = 0;
+    for (const auto& [get, set] : { std::make_pair(&vtkPolyData::GetVerts, &vtkPolyData::SetVerts),
+           std::make_pair(&vtkPolyData::GetLines, &vtkPolyData::SetLines),
+           std::make_pair(&vtkPolyData::GetPolys, &vtkPolyData::SetPolys),
+           std::make_pair(&vtkPolyData::GetStrips, &vtkPolyData::SetStrips) })
+    {
+      vtkCellArray* cells = (this->Surface->*get)();
+      (output->*set)(this->Selected(cells, first));
+      first += cells->GetNumberOfCells();
+    }
+    output->GetFieldData()->ShallowCopy(this->Surface->GetFieldData());
+    CopyTuples(this->Surface->GetPointData(), this->Left.Points, output->GetPointData());
+    CopyTuples(this->Surface->GetCellData(), this->Left.Cells, output->GetCellData());
+    return this->Left;
+  }
+
+private:
+  vtkSmartPointer<vtkCellArray> Selected(vtkCellArray* cells, vtkIdType first)
+  {
+    const auto result = vtkSmartPointer<vtkCellArray>::New();
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+    {
+      cells->GetCellAtId(i, ids);
+      if (!this->Marks.IsUnusable(first + i) && this->Rename(ids))
+      {
+        result->InsertNextCell(ids);
+        this->Left.Cells->InsertNextId(first + i);
+      }
+    }
+    return result;
+  }
+
+  /** @return false if one of the points is not there. */
+  bool Rename(vtkIdList* ids) const
+  {
+    const auto count = static_cast<vtkIdType>(this->NewIds.size());
+    for (vtkIdType& id : *ids)
+    {
+      id = id >= 0 && id < count ? this->NewIds[static_cast<std::size_t>(id)] : -1;
+      if (id < 0)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  vtkPolyData* Surface;
+  const CellMarks& Marks;
+  Kept Left;
+  std::vector<vtkIdType> NewIds; ///< [point] -1 if it has no place
+};
 
 /** [cell of the data set] its shell and the number of others that it meets, from its triangles. */
 struct CellNumbers
@@ -133,12 +188,12 @@ CellNumbers NumbersOf(const OperandSurface& surface, const sb::SurfaceCheckResul
 }
 
 void AddCellArrays(const OperandSurface& surface, const sb::SurfaceCheckResult& result,
-  const CellMarks& marks, vtkIdList* kept, vtkPolyData* output)
+  const CellMarks& marks, const Kept& kept, vtkPolyData* output)
 {
   const CellNumbers numbers = NumbersOf(surface, result);
   const vtkIdType count = output->GetNumberOfCells();
   vtkCellData* data = output->GetCellData();
-  const auto cellAt = [kept](vtkIdType i) { return kept ? kept->GetId(i) : i; };
+  const auto cellAt = [&kept](vtkIdType i) { return kept.Cell(i); };
   AddArray<vtkUnsignedCharArray>(data, "Defect", count,
     [&](vtkIdType i) { return static_cast<unsigned char>(marks.Gravest(cellAt(i))); });
   AddArray<vtkIntArray>(
@@ -154,21 +209,21 @@ void AddCellArrays(const OperandSurface& surface, const sb::SurfaceCheckResult& 
   data->SetActiveScalars("Defect"); // ParaView colours by it at once
 }
 
-void AddPointArrays(const sb::SurfaceCheckResult& result, vtkPolyData* output)
+void AddPointArrays(const sb::SurfaceCheckResult& result, const Kept& kept, vtkPolyData* output)
 {
   const vtkIdType count = output->GetNumberOfPoints();
   vtkPointData* data = output->GetPointData();
   AddArray<vtkUnsignedCharArray>(data, "PointDefect", count, [&](vtkIdType i) {
     // Points at one place are no defect: that is how creases have several normals.
     return static_cast<unsigned char>(
-      GravestOf(result.PointMarks[i] & ~sb::BitOf(sb::Defect::Duplicate)));
+      GravestOf(result.PointMarks[kept.Point(i)] & ~sb::BitOf(sb::Defect::Duplicate)));
   });
   AddArray<vtkUnsignedCharArray>(data, "DuplicatePoint", count, [&](vtkIdType i) {
     return static_cast<unsigned char>(
-      (result.PointMarks[i] & sb::BitOf(sb::Defect::Duplicate)) != 0);
+      (result.PointMarks[kept.Point(i)] & sb::BitOf(sb::Defect::Duplicate)) != 0);
   });
   AddArray<vtkIntArray>(data, "LoopId", count,
-    [&](vtkIdType i) { return result.RimOfPoint.empty() ? -1 : result.RimOfPoint[i]; });
+    [&](vtkIdType i) { return result.RimOfPoint.empty() ? -1 : result.RimOfPoint[kept.Point(i)]; });
 }
 
 } // namespace
@@ -221,20 +276,34 @@ std::vector<vtkIdType> CellMarks::Unusable() const
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkIdType> PointsWithoutPlace(const sb::SurfaceCheckResult& result)
+{
+  std::vector<vtkIdType> points;
+  for (std::size_t i = 0; i < result.PointMarks.size(); ++i)
+  {
+    if ((result.PointMarks[i] & sb::BitOf(sb::Defect::NotFinite)) != 0)
+    {
+      points.push_back(static_cast<vtkIdType>(i));
+    }
+  }
+  return points;
+}
+
+//------------------------------------------------------------------------------
 void BuildMarkedSurface(const OperandSurface& surface, const sb::SurfaceCheckResult& result,
   const CellMarks& marks, vtkPolyData* output)
 {
-  vtkSmartPointer<vtkIdList> kept;
-  if (marks.Unusable().empty())
+  Kept kept;
+  if (marks.Unusable().empty() && result.Counts.NotFinitePoints == 0)
   {
     output->ShallowCopy(surface.Data());
   }
   else
   {
-    kept = CopyUsableCells(surface.Data(), marks, output);
+    kept = UsablePart(surface.Data(), result, marks).CopyTo(output);
   }
   AddCellArrays(surface, result, marks, kept, output);
-  AddPointArrays(result, output);
+  AddPointArrays(result, kept, output);
 }
 
 } // namespace sbvtk

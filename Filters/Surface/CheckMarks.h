@@ -47,7 +47,11 @@ private:
   std::vector<std::uint16_t> Marks;
 };
 
-/** Make `output` the surface without its unusable cells, and add the arrays. */
+/** The points whose coordinates are not finite, ascending. */
+std::vector<vtkIdType> PointsWithoutPlace(const sb::SurfaceCheckResult& result);
+
+/** Make `output` the surface without its unusable cells and the points that have no place, and add
+ * the arrays. */
 void BuildMarkedSurface(const OperandSurface& surface, const sb::SurfaceCheckResult& result,
   const CellMarks& marks, vtkPolyData* output);
 

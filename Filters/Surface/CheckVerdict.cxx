@@ -80,10 +80,10 @@ std::string OfUnusableCells(const CheckFindings& findings)
       " coordinates that are not finite numbers, ";
     text += findings.NotFiniteCells > 0
       ? "and " + Number(findings.NotFiniteCells, "cell uses", "cells use") +
-        " them: such cells are left out of Surface (field array BadCellIds); repair the points, or "
-        "go on with Surface and close the holes that are left."
+        " such points: both are left out of Surface (field arrays BadPointIds, BadCellIds); repair "
+        "the points, or go on with Surface and close the holes that are left."
       : "but no cell uses " + Either(points, "it", "them") + ": Clean removes " +
-        Either(points, "it.", "them.");
+        Either(points, "it", "them") + ", and Surface is without.";
   }
   return text;
 }
@@ -96,8 +96,8 @@ std::string OfOrientation(const CheckFindings& findings)
   if (counts.ContradictoryEdges > 0)
   {
     text += " At " + Number(counts.ContradictoryEdges, "edge", "edges") +
-      " neighbouring polygons are oriented against each other: apply Generate Surface Normals with "
-      "Consistency on.";
+      " neighbouring polygons are oriented against each other: apply Clean, then Generate Surface "
+      "Normals with Consistency on.";
   }
   if (counts.OneSidedShells > 0)
   {
@@ -139,11 +139,11 @@ std::string OfEdges(const CheckFindings& findings)
     text += " It is open: " + Number(counts.RimEdges, "edge has", "edges have") +
       " one polygon only and " + Either(counts.RimEdges, "makes ", "make ") +
       Number(counts.Rims, "loop", "loops") +
-      " (Defects, LoopId): where points that should be one lie a little apart, apply Clean with a "
-      "small tolerance, or set Tolerance of Surface Boolean; a flat hole is filled by Threshold of "
-      "its LoopId, Extract Surface, Contour Triangulator and Append Geometry; as a Tool it may "
-      "stay "
-      "open, if it cuts the Input through.";
+      " (LoopId): where points that should be one lie a little apart, apply Clean with a small "
+      "tolerance; a flat hole is filled by Threshold of its LoopId in Defects, Extract Surface and "
+      "Contour Triangulator, then Append Geometry, Clean, and Generate Surface Normals with "
+      "Consistency on; as a Tool of Surface Boolean the surface may stay open, if it cuts the "
+      "Input through.";
   }
   if (counts.ManyFoldEdges > 0)
   {

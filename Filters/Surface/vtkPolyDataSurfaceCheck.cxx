@@ -177,10 +177,15 @@ void vtkPolyDataSurfaceCheck::Run::BuildOutputs()
   this->AddCounts(findings);
   this->AddShells();
   // ParaView tells of no field data at all where one array in them has no tuple.
-  const std::vector<vtkIdType> bad = marks.Unusable();
-  if (!bad.empty())
+  const std::vector<vtkIdType> badCells = marks.Unusable();
+  if (!badCells.empty())
   {
-    sbvtk::AddField<vtkIdTypeArray>(this->Surface, "BadCellIds", bad);
+    sbvtk::AddField<vtkIdTypeArray>(this->Surface, "BadCellIds", badCells);
+  }
+  const std::vector<vtkIdType> badPoints = sbvtk::PointsWithoutPlace(this->Result);
+  if (!badPoints.empty())
+  {
+    sbvtk::AddField<vtkIdTypeArray>(this->Surface, "BadPointIds", badPoints);
   }
 }
 

@@ -9,8 +9,9 @@
  * Nothing is repaired. Points at one place count as one, as they do for a Boolean; whether
  * triangles meet or have an area is decided exactly, as it is there.
  *
- * Output 0, the surface with marks. Cells that name points which do not exist, or whose coordinates
- * are not finite numbers, are left out, since they cannot be drawn. Cell arrays:
+ * Output 0, the surface with marks. Points whose coordinates are not finite numbers, cells that use
+ * them, and cells that name points which do not exist, are left out, since they cannot be drawn.
+ * Cell arrays:
  * - `Defect` (unsigned char): the gravest one of the cell, by the numbers of sb::Defect
  * (SurfaceCheck.h): 0 none, 1 at an edge of one polygon only, 2 at an edge of more than two, 3 at
  * an edge whose polygons are oriented against each other, 5 meets others elsewhere than in common
@@ -23,7 +24,7 @@
  * out where it is.
  *
  * Point arrays: `PointDefect` (unsigned char; as above, and 4: parts touch in the point without an
- * edge in common there, 9: not finite), `DuplicatePoint` (unsigned char; 1 if an earlier point is
+ * edge in common there), `DuplicatePoint` (unsigned char; 1 if an earlier point is
  * at the same place), `LoopId` (int; a loop of edges of one polygon that goes through it, or -1).
  *
  * Output 1, the defects: a line for each edge that is not one of two polygons of the same
@@ -37,17 +38,17 @@
  * all was found), `Status` (int; see StatusType and sb::Status) and `Message` (whether the check
  * itself went well). Of output 0 also `Closed`, `Volume`, `Area`, `Genus` (-1 if it has none),
  * `EulerCharacteristic`, counts (names end in `Count`; `SelfIntersectionCount` is -1 if they were
- * not looked for), `BadCellIds` (cells left out), one value a shell in `ShellClosed`,
- * `ShellVolume`, `ShellArea`, `ShellTriangleCount`, `ShellLoopCount`, `ShellGenus`, `ShellDepth`
- * (how many shells it is inside of), `ShellParent` (the innermost of them, or -1), `ShellWrongWay`
- * (1 inside out, 2 faces outwards inside of another one that does), and `StageNames`,
- * `StageSeconds`.
+ * not looked for), `BadCellIds` and `BadPointIds` (what is left out), one value a shell in
+ * `ShellClosed`, `ShellVolume`, `ShellArea`, `ShellTriangleCount`, `ShellLoopCount`, `ShellGenus`,
+ * `ShellDepth` (how many shells it is inside of), `ShellParent` (the innermost of them, or -1),
+ * `ShellWrongWay` (1 inside out, 2 faces outwards inside of another one that does), and
+ * `StageNames`, `StageSeconds`.
  *
  * The same input gives the same bytes whatever NumberOfThreads is.
  *
  * @par Cost
- * Linear, but for self-intersections; they take as long as all the rest together, and longer where
- * there are many.
+ * Linear, but for self-intersections; they take about twice as long as all the rest together, and
+ * longer where there are many.
  */
 #ifndef vtkPolyDataSurfaceCheck_h
 #define vtkPolyDataSurfaceCheck_h

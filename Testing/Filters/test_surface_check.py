@@ -296,17 +296,29 @@ def test_cells_that_cannot_be_used():
     assert found.BadIndexCellCount == 1 and found.NonFiniteCellCount == 1 and found.NonFinitePointCount == 1
     assert found.Fit == 0 and found.Closed == 1 and found.Volume == 8.0 and not found.errors
     assert found.field_data["BadCellIds"].tolist() == [0, 13]
-    assert found.surface.GetNumberOfCells() == 12, "Surface can be drawn"
+    assert found.field_data["BadPointIds"].tolist() == [8]
+    assert found.surface.GetNumberOfCells() == 12 and found.surface.GetNumberOfPoints() == 8, "Surface can be drawn"
+    assert np.array_equal(points_of(found.surface), CUBE.points) and check(found.surface).Clean == 1
     assert "do" in found.Verdict and "left out" in found.Verdict
     assert boolean([bad], [moved(CUBE, (1, 1, 1))], "Union").errors
 
 
-def test_cell_arrays_stay_with_their_cells_when_some_are_left_out():
-    data = polydata(mesh(CUBE.points, np.vstack([[[0, 1, 77]], CUBE.triangles])))
-    numbers = numpy_to_vtk(np.arange(13), deep=True)
+def test_arrays_stay_with_their_points_and_cells_when_some_are_left_out():
+    data = polydata(mesh(np.vstack([[[np.inf, 0, 0]], CUBE.points]), np.vstack([[[0, 1, 77]], CUBE.triangles + 1])))
+    for attributes, count in ((data.GetCellData(), 13), (data.GetPointData(), 9)):
+        numbers = numpy_to_vtk(np.arange(count), deep=True)
+        numbers.SetName("Number")
+        attributes.AddArray(numbers)
+    lines = vtkCellArray()
+    lines.InsertNextCell(2, [0, 3])
+    lines.InsertNextCell(2, [1, 3])
+    data.SetLines(lines)
+    numbers = numpy_to_vtk(np.arange(15), deep=True)
     numbers.SetName("Number")
     data.GetCellData().AddArray(numbers)
-    assert check(data).cell_data["Number"].tolist() == list(range(1, 13))
+    found = check(data)
+    assert found.cell_data["Number"].tolist() == [1] + list(range(3, 15)), "one line and one triangle are left out"
+    assert found.point_data["Number"].tolist() == list(range(1, 9)) and np.isfinite(found.surface.GetBounds()).all()
 
 
 # ---- kinds of input -------------------------------------------------------------------------------------------
