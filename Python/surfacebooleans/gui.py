@@ -148,6 +148,35 @@ def clip(sources=None):
 
 
 @_told
+def live_tool(operation="Difference", sources=None):
+    """A Boolean whose Tool one can drag: move the box in the view, and the result follows.
+
+    The Tool goes through a Transform, which becomes the active source, so that its box is in the view; Auto Apply is switched
+    on, as by the button beside Apply.
+
+    Parameters
+    ----------
+    operation : {"Union", "Intersection", "Difference", "Symmetric Difference"}, optional
+    sources : list of proxies, optional
+        Instead of the selected ones: the body and the tool.
+
+    Returns
+    -------
+    proxy or None
+        The Transform of the tool.
+    """
+    body, tool = _sources(sources, 2, 2, "the first one stays, the second one can be dragged")
+    moved = simple.Transform(registrationName=f"Drag {_name(tool)}", Input=tool)
+    result = simple.SurfaceBoolean(registrationName=operation, Input=body, Tool=moved, Operation=operation)
+    if _has_result(result):
+        _show_sources(result, [body, tool])
+        _hide([body, tool])
+        _show_through(moved, RED)
+    simple.GetSettingsProxy("GeneralSettings").AutoApply = 1
+    return _finished(moved)
+
+
+@_told
 def point_cloud(sources=None):
     """The smooth surface of the selected cloud of points; with a second source, the cloud's solid without that body.
 

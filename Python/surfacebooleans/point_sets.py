@@ -128,7 +128,7 @@ def point_set_intersection(cloud, tool, *, chord_error=0.0, width=0.0, flip=Fals
 
     References
     ----------
-    Yang, Qian (2009), sections 4.2 and 4.3.
+    Yang, Qian (2009), section 4.2.
     """
     plane = as_plane(tool)
     algorithm = configure(

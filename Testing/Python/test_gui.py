@@ -27,6 +27,7 @@ def empty_pipeline():
         ("boolean", 1, "Select two sources or more"),
         ("curves", 3, "Select one or two sources"),
         ("distance_map", 1, "Select two sources.*the second one is the surface"),
+        ("live_tool", 1, "Select two sources.*can be dragged"),
         ("clip", 2, "Select one source"),
         ("point_cloud", 0, "Select one or two sources"),
     ],
@@ -62,4 +63,4 @@ def test_a_macro_is_short_and_says_what_it_does_and_what_to_select(macro, capfd)
 def test_there_is_a_macro_for_each_recipe():
     assert len(MACROS) >= 5
     used = "".join(macro.read_text() for macro in MACROS)
-    assert all(f"gui.{name}(" in used for name in ("boolean", "curves", "distance_map", "clip", "point_cloud"))
+    assert all(f"gui.{name}(" in used for name in ("boolean", "curves", "distance_map", "clip", "live_tool", "point_cloud"))

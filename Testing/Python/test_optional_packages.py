@@ -60,6 +60,7 @@ def test_every_recipe_gives_pyvista():
         "triangulate_contours": (sb.triangulate_contours(outlines), pyvista.PolyData),
         "point_set_surface": (sb.point_set_surface(cloud), pyvista.PolyData),
         "point_set_points": (sb.point_set_points(cloud), pyvista.PolyData),
+        "point_set_boolean": (sb.point_set_boolean(cloud, BOX), pyvista.PolyData),
         "point_set_intersection": (sb.point_set_intersection(cloud, plane), pyvista.PolyData),
     }
     assert {
