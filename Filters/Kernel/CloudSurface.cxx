@@ -84,9 +84,8 @@ private:
     this->Cloud.ThinShare = widths.ThinShare;
     this->Cloud.ThinWall = widths.ThinWall;
     this->Cloud.Status = widths.ThinShare > MostThin ? CloudStatus::ThinWall : CloudStatus::Ok;
-    this->Cloud.Surface =
-      std::make_shared<MovingLeastSquares>(this->Tree, this->Cloud.Normals.data(),
-        this->Request.Definition, widths.Typical, widths.Widths, widths.Areas);
+    this->Cloud.Surface = std::make_shared<MovingLeastSquares>(this->Tree,
+      this->Cloud.Normals.data(), this->Request.Definition, widths.Typical, widths.Widths);
   }
 
   void ForEachPoint(const std::function<void(std::size_t)>& body)

@@ -21,7 +21,7 @@ constexpr double SlackOfLeaves = 0.4; ///< in R
 constexpr double LastStep = 1e-6; ///< in h
 constexpr double ReachOfUnbiased = 2.2; ///< in h
 constexpr double ReachOfAmentaKil = 4.5;
-constexpr std::size_t FirstRoom = 8; ///< rows before it hold samples, three from it on are room
+constexpr std::size_t FirstRoom = 7; ///< rows before it hold samples, three from it on are room
 constexpr std::size_t NumberOfRows = FirstRoom + 3;
 const double OneOverRootThree = 1.0 / std::sqrt(3.0);
 
@@ -277,8 +277,7 @@ Support Judge(double agreement, const Real3& mean, const Real3& n, double h)
 } // namespace
 
 MovingLeastSquares::MovingLeastSquares(std::shared_ptr<const PointTree> tree, const double* normals,
-  SurfaceDefinition definition, double width, const std::vector<double>& widths,
-  const std::vector<double>& areas)
+  SurfaceDefinition definition, double width, const std::vector<double>& widths)
   : Tree(std::move(tree))
   , Number(NextNumber())
   , Kind(definition)
@@ -298,7 +297,6 @@ MovingLeastSquares::MovingLeastSquares(std::shared_ptr<const PointTree> tree, co
   this->MostWidth = this->H;
   if (definition == SurfaceDefinition::Unbiased && !widths.empty())
   {
-    this->Areas = areas;
     this->TakeWidths(widths);
   }
 }
@@ -346,7 +344,7 @@ void MovingLeastSquares::Gather(const Real3& x, double margin, Neighbourhood& ne
   const std::size_t count = static_cast<std::size_t>(near.Count);
   near.MakeRoom(count + NumberOfLanes);
   const double far[FirstRoom] = { x[0] + 2.0 * (this->R + margin), x[1], x[2], 0.0, 0.0, 0.0,
-    1.0 / (this->R * this->R), 0.0 };
+    1.0 / (this->R * this->R) };
   for (std::size_t place = count; place % NumberOfLanes != 0; ++place)
   {
     for (std::size_t row = 0; row < FirstRoom; ++row)
@@ -445,7 +443,6 @@ void MovingLeastSquares::GatherUneven(
       near.Row(3 + axis)[count] = this->Normals[axis][place];
     }
     near.Row(6)[count] = inverse;
-    near.Row(7)[count] = this->Areas[place];
     const Real3 d = Difference(q, near.Centre);
     count += Dot(d, d) < limit * limit ? 1 : 0;
   }
@@ -482,7 +479,6 @@ SurfaceValue MovingLeastSquares::EvaluateUnbiased(
   if (this->IsUneven())
   {
     rows.InverseSquaredReach = near.Row(6);
-    rows.Area = near.Row(7);
   }
   const UnbiasedValue value = sb::EvaluateUnbiased(x, order, rows);
   SurfaceValue f;

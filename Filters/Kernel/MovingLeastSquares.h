@@ -70,20 +70,18 @@ public:
   /**
    * @param normals unit vectors, three doubles for each point of the tree's input
    * @param width h, positive
-   * @param widths, areas of each sample, in the order of the tree, if they are not all the same:
-   * each weighs as far as its width allows, and as much as the area that it stands for. Only the
+   * @param widths of each sample, in the order of the tree, if they are not all the same. Only the
    * unbiased surface takes them; `width` is then the typical one.
    */
   MovingLeastSquares(std::shared_ptr<const PointTree> tree, const double* normals,
-    SurfaceDefinition definition, double width, const std::vector<double>& widths = {},
-    const std::vector<double>& areas = {});
+    SurfaceDefinition definition, double width, const std::vector<double>& widths = {});
 
   /** The samples near a place, copied together: memory of one thread, to use again and again. */
   class Neighbourhood
   {
     friend class MovingLeastSquares;
     std::int32_t Count = 0;
-    std::vector<double> Memory; ///< rows of Capacity: q, v, reach, area, then room
+    std::vector<double> Memory; ///< rows of Capacity: q, v, 1 / reach^2, then room
     std::size_t Capacity = 0;
     Real3 Centre{};
     double Margin = 0.0;
@@ -156,7 +154,7 @@ public:
   double LargestWidth() const { return this->MostWidth; }
 
   /** Whether samples have widths of their own. */
-  bool IsUneven() const { return !this->Areas.empty(); }
+  bool IsUneven() const { return !this->NodeReaches.empty(); }
 
   /** How far the i-th sample of the tree reaches. */
   double ReachOf(std::int32_t i) const
@@ -194,7 +192,6 @@ private:
   double MostWidth = 0.0;
   // Of samples in the order of the tree, and of its nodes; empty if all have the same width.
   std::vector<double> InverseSquaredReaches;
-  std::vector<double> Areas;
   std::vector<double> NodeReaches;
 };
 

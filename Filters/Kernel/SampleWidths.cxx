@@ -13,7 +13,7 @@ namespace
 
 constexpr std::int64_t Grain = 256;
 constexpr double InSpacings = 3.0;
-constexpr double LeastInSpacings = 2.0; ///< of a sample's own
+constexpr double LeastInSpacings = 2.0;
 constexpr std::int32_t MostProbes = 20000;
 constexpr int Neighbours = 16; ///< that a sample's spacing is measured with
 constexpr double Unevenness = 2.2; ///< largest ratio of spacings that is taken for chance: in
@@ -58,7 +58,6 @@ public:
     {
       const std::size_t count = static_cast<std::size_t>(this->Tree.Size());
       result.Widths.assign(count, result.Typical);
-      result.Areas.assign(count, 1.0);
     }
     const auto own = [&result](
                        std::int32_t i) { return result.Widths[static_cast<std::size_t>(i)]; };
@@ -113,7 +112,6 @@ private:
     std::vector<double> spacings(count);
     this->ForProbes(1, [&](std::int32_t i, std::size_t k) { spacings[k] = this->SpacingAt(i); });
     result.Widths.resize(count);
-    result.Areas.resize(count);
     this->ForProbes(1, [&](std::int32_t i, std::size_t k) {
       PointTree::Neighbour found[Neighbours + 1];
       const int number = this->Tree.Nearest(this->Tree.Point(i), Neighbours + 1, found);
@@ -123,10 +121,8 @@ private:
         around[j] = spacings[static_cast<std::size_t>(found[j].Index)];
       }
       std::nth_element(around, around + number / 2, around + number);
-      const double ratio =
-        std::max(1.0, LeastInSpacings / InSpacings * around[number / 2] / this->Spacing);
+      const double ratio = std::max(1.0, around[number / 2] / this->Spacing);
       result.Widths[k] = InSpacings * ratio * this->Spacing;
-      result.Areas[k] = ratio * ratio;
     });
   }
 

@@ -6,9 +6,10 @@
  * sparse, and less where a wall is thin.
  *
  * One width for all does for scans of about one density. Where the spacing varies more than chance
- * makes it vary, samples in sparse parts take two of their own spacings if that is more, and weigh
- * as much as the area around them; else they would lose their neighbours, and the surface would
- * break up. What is dense keeps the common width: overlapping scans are dense, too.
+ * makes it vary, samples in sparse parts take three of their own spacings; else they would lose
+ * their neighbours, and the surface would break up. What is dense keeps the common width: it may be
+ * several scans on top of each other. Weights for the area of a sample do harm: the few wide
+ * samples beside a dense part then pull it to their side.
  *
  * Sheets of a wall, or of a gap, that is thinner than the width run into each other: measured on
  * concentric spheres, they are off by 0.03 spacings where the width is the thickness, and cease to
@@ -29,10 +30,8 @@ namespace sb
 struct SampleWidths
 {
   double Typical = 0.0;
-  /** Of each sample in the order of the tree, and the weight for its area; empty if all have the
-   * same. */
-  std::vector<double> Widths;
-  std::vector<double> Areas;
+  std::vector<double>
+    Widths; ///< of each sample in the order of the tree; empty if all are the same
   double ThinShare = 0.0; ///< of the samples, on walls thinner than their width
   double ThinWall = 0.0; ///< the median thickness of those walls
 };

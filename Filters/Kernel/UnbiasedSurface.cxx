@@ -105,13 +105,7 @@ Sums SumUp(const Real3& place, const SampleRows& rows)
     Lanes t = at.Left;
     KeepPositive(t);
     const Lanes t2 = t * t;
-    Lanes t3 = t2 * t;
-    if constexpr (Uneven)
-    {
-      Lanes area;
-      Load(area, rows.Area + i);
-      t3 = t3 * area;
-    }
+    const Lanes t3 = t2 * t;
     const Lanes th = t3 * t;
     w += th;
     k += th * at.Height;
@@ -314,13 +308,7 @@ SecondSums SumSecond(const Real3& place, const SampleRows& rows, const Influence
     }
     Lanes t = at.Left;
     KeepPositive(t);
-    Lanes second = bend * at.Inverse * at.Inverse * t * t;
-    if constexpr (Uneven)
-    {
-      Lanes area;
-      Load(area, rows.Area + i);
-      second = second * area;
-    }
+    const Lanes second = bend * at.Inverse * at.Inverse * t * t;
     Lanes first;
     Load(first, rows.Room[0] + i);
     diagonalOfW += first;
@@ -485,7 +473,8 @@ inline UnbiasedValue Evaluate(const Real3& x, int order, const SampleRows& rows)
 __attribute__((target("avx"), flatten)) UnbiasedValue EvaluateByFour(
   const Real3& x, int order, const SampleRows& rows)
 {
-  return rows.Area ? Evaluate<true>(x, order, rows) : Evaluate<false>(x, order, rows);
+  return rows.InverseSquaredReach ? Evaluate<true>(x, order, rows)
+                                  : Evaluate<false>(x, order, rows);
 }
 #endif
 
@@ -500,7 +489,8 @@ UnbiasedValue EvaluateUnbiased(const Real3& x, int order, const SampleRows& rows
     return EvaluateByFour(x, order, rows);
   }
 #endif
-  return rows.Area ? Evaluate<true>(x, order, rows) : Evaluate<false>(x, order, rows);
+  return rows.InverseSquaredReach ? Evaluate<true>(x, order, rows)
+                                  : Evaluate<false>(x, order, rows);
 }
 
 } // namespace sb

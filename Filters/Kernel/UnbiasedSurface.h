@@ -35,10 +35,7 @@ struct SampleRows
   std::size_t Count = 0;
   const double* Position[3] = {};
   const double* Normal[3] = {};
-  /** Of each sample 1 / R^2 and what its weight is multiplied with; null if R is the same for all.
-   */
-  const double* InverseSquaredReach = nullptr;
-  const double* Area = nullptr;
+  const double* InverseSquaredReach = nullptr; ///< of each sample; null if it is the same for all
   double CommonInverseSquaredReach = 0.0;
   double* Room[3] = {}; ///< to note what the derivatives need
 };

@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # What `make bench` runs: installs the peers into bench-venv in the build directory, of which nothing else in the project
-# knows, and compares. PEERS=all adds the peers whose licences allow non-commercial use only. Arguments go to compare.py and compare_distances.py.
+# knows, and compares. PEERS=all adds the peers whose licences allow non-commercial use only. Arguments go to compare.py, compare_distances.py
+# and compare_points.py.
 set -eu
 
 here=$(dirname "$(readlink -f "$0")")
@@ -42,4 +43,5 @@ export PYTHONDONTWRITEBYTECODE
 status=0
 "$venv/bin/python" "$here/compare.py" "$@" || status=$?
 "$venv/bin/python" "$here/compare_distances.py" "$@" || { second=$?; [ "$status" -eq 0 ] && status=$second; }
+"$venv/bin/python" "$here/compare_points.py" "$@" || { third=$?; [ "$status" -eq 0 ] && status=$third; }
 exit "$status"

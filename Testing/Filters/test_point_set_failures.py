@@ -60,16 +60,16 @@ def test_specks_around_outliers_are_left_out_and_counted():
     spacing = np.sqrt(4 * np.pi / 8000)
     places = 3 * rng.normal(size=(12, 3))
     places *= (3 + rng.uniform(size=(12, 1))) / np.linalg.norm(places, axis=1)[:, None]
-    scraps = np.concatenate([p + 0.8 * spacing * rng.normal(size=(25, 3)) for p in places])
+    scraps = np.concatenate([p + 1.2 * spacing * rng.normal(size=(40, 3)) for p in places])
     result = surface_of(
         np.concatenate([points, scraps]),
         np.concatenate([normals, np.tile([0.0, 0.0, 1.0], (len(scraps), 1))]),
         GenerateSurface=True,
     )
-    assert result.number("NumberOfSpecks") >= 8
+    assert result.number("NumberOfSpecks") >= 4
     assert measures.is_closed(result.mesh) and result.number("NumberOfBorderEdges") == 0
     assert np.linalg.norm(result.mesh.points, axis=1).max() < 1.01
-    assert measures.volume(result.mesh) == pytest.approx(4 * np.pi / 3, rel=2e-3)
+    assert measures.volume(result.mesh) == pytest.approx(4 * np.pi / 3, rel=6e-3)
 
 
 def test_small_bodies_are_no_specks():
@@ -107,7 +107,6 @@ def test_the_residual_shows_where_scans_do_not_fit():
 
 
 def test_the_ends_of_an_open_section_are_listed():
-    rng = np.random.default_rng(4)
     points, normals = clouds.sphere(20000)
     kept = np.arccos(points[:, 0]) > 0.5  # a hole about the x axis
     curves = section(points[kept], normals[kept], (0, 0, 0), (0, 0, 1))
@@ -121,7 +120,7 @@ def test_the_ends_of_an_open_section_are_listed():
     assert result.number("NumberOfBorderEdges") > 0
     assert (result.arrays["Validity"][np.arccos(points[kept][:, 0]) > 0.7] == DEFINED).all()
     beyond = implicit(points[kept], normals[kept])
-    assert not beyond.IsDefined([1, 0, 0]) and rng is not None
+    assert not beyond.IsDefined([1, 0, 0])
 
 
 # ---- uneven sampling -----------------------------------------------------------------------------

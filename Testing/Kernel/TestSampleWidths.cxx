@@ -81,7 +81,7 @@ void SparsePartsGetLargerWidths()
     sparse = std::max(sparse, surface.WidthOf(i));
   }
   CHECK(sparse > 1.1 * surface.Width());
-  CHECK(sparse < 2.5 * surface.Width());
+  CHECK(sparse < 4.0 * surface.Width());
   // Found from everywhere, and no place of it is taken for a border.
   sb::MovingLeastSquares::Neighbourhood near;
   double worst = 0.0;

@@ -50,14 +50,12 @@ std::shared_ptr<MovingLeastSquares> WithOwnWidths(
     std::make_shared<sb::PointTree>(cloud.Points.data(), cloud.Count(), nullptr, executor);
   std::uniform_real_distribution<double> factor(1.0, 3.0);
   std::vector<double> widths(static_cast<std::size_t>(tree->Size()));
-  std::vector<double> areas(widths.size());
   for (std::size_t i = 0; i < widths.size(); ++i)
   {
     widths[i] = factor(random) * least;
-    areas[i] = factor(random);
   }
   return std::make_shared<MovingLeastSquares>(
-    tree, cloud.Normals.data(), SurfaceDefinition::Unbiased, 2.0 * least, widths, areas);
+    tree, cloud.Normals.data(), SurfaceDefinition::Unbiased, 2.0 * least, widths);
 }
 
 double LargestRadiusError(
