@@ -208,7 +208,57 @@ private:
     }
     const std::vector<rational::Point> met = rational::Intersection(this->Exact(i), this->Exact(j));
     return std::any_of(met.begin(), met.end(),
-      [&](const rational::Point& point) { return common.count(point) == 0; });
+             [&](const rational::Point& point) { return common.count(point) == 0; }) &&
+      !this->IsSewn(i, j, met);
+  }
+
+  /** The triangle without area beyond an edge that just the two of them have, each its own way. */
+  std::set<std::size_t> SeamAt(const PlacePair& edge, std::size_t triangle) const
+  {
+    const std::vector<Use>& uses = this->Edges.at(std::minmax(edge.first, edge.second));
+    std::set<std::size_t> seam;
+    if (uses.size() == 2 && uses[0].RunsUp != uses[1].RunsUp)
+    {
+      const std::size_t other = uses[uses[0].Triangle == triangle].Triangle;
+      if (this->WithoutArea.count(other) > 0)
+      {
+        seam.insert(other);
+      }
+    }
+    return seam;
+  }
+
+  /** Whether all points lie on an edge of either that one seam of triangles without area joins. */
+  bool IsSewn(std::size_t i, std::size_t j, const std::vector<rational::Point>& met) const
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      std::set<std::size_t> seam = this->SeamAt({ this->At(i, k), this->At(i, k + 1) }, i);
+      for (std::size_t before = 0; before != seam.size();)
+      {
+        before = seam.size();
+        for (const std::size_t t : std::set<std::size_t>(seam))
+        {
+          for (std::size_t e = 0; e < 3 && this->HasEdges(t); ++e)
+          {
+            seam.merge(this->SeamAt({ this->At(t, e), this->At(t, e + 1) }, t));
+          }
+        }
+      }
+      for (std::size_t l = 0; l < 3; ++l)
+      {
+        const std::set<std::size_t> its = this->SeamAt({ this->At(j, l), this->At(j, l + 1) }, j);
+        const bool isOneSeam = !its.empty() && seam.count(*its.begin()) > 0;
+        if (isOneSeam && std::all_of(met.begin(), met.end(), [&](const rational::Point& point) {
+              return rational::InsideEdge(this->Exact(i), k, point) == 0 &&
+                rational::InsideEdge(this->Exact(j), l, point) == 0;
+            }))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 };
 
