@@ -21,6 +21,7 @@ test: build
 
 demo: build
 	@. $(BUILD)/env.sh && xvfb-run -a -s "-noreset" pvpython Python/demo.py "$(BUILD)/demo"
+	@. $(BUILD)/env.sh && xvfb-run -a -s "-noreset" pvpython Python/demo_scan.py "$(BUILD)/demo"
 
 bench: build
 	@. $(BUILD)/env.sh && Testing/Benchmarks/run.sh

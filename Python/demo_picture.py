@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The demo's picture: the operands on the left, the result on the right, coloured by origin."""
+"""The demos' pictures: the operands on the left, the result on the right, coloured by origin."""
 
 from paraview import simple
 
@@ -80,4 +80,31 @@ def draw(path, operands, result):
 
     simple.Render(view)
     aim(view)
+    simple.SaveScreenshot(str(path), view, ImageResolution=SIZE)
+
+
+def draw_scan(path, scan, body, result):
+    """The cloud as points over the designed body; beside it what they are joined to."""
+    view = make_view()
+    apart = 0.62
+    points = show(scan, view, -1, BLUE)
+    points.Representation = "Point Gaussian"
+    points.GaussianRadius = 0.0062
+    smooth = simple.GenerateSurfaceNormals(registrationName="Smooth", Input=result, FeatureAngle=40)
+    smooth.ComputeCellNormals = 0
+    solid = show(smooth, view, 1)
+    color_by_source(solid, [BLUE, PALE])
+    designed = show(body, view, -1, PALE)
+    seam = simple.Tube(registrationName="Seam", Input=simple.OutputPort(result, 2))
+    seam.Radius = 0.006
+    seam.NumberofSides = 12
+    curve = show(seam, view, 1, RED)
+    for display, side in ((points, -1), (designed, -1), (solid, 1), (curve, 1)):
+        display.Position = [side * apart, 0, 0]
+    simple.Render(view)
+    view.CameraPosition = [0.9, 0.75, 5.0]
+    view.CameraFocalPoint = [0.0, -0.86, 0]
+    view.CameraViewUp = [0, 1, 0]
+    view.CameraParallelProjection = 1
+    view.CameraParallelScale = 1.46
     simple.SaveScreenshot(str(path), view, ImageResolution=SIZE)

@@ -11,7 +11,9 @@ packages="
   python3-dev qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools
   libopenmpi-dev libeigen3-dev libutfcpp-dev
   libexpat1-dev liblzma-dev liblz4-dev libdouble-conversion-dev zlib1g-dev
-  python3-numpy python3-pytest libboost-dev libcgal-demo
+  libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev libocct-data-exchange-dev
+  libocct-ocaf-dev libtbb-dev
+  python3-numpy python3-pytest libboost-dev libcgal-demo occt-misc
   xvfb xauth libqt5svg5
 "
 

@@ -17,9 +17,9 @@
 #include "Executor.h"
 #include "NearestTriangle.h"
 #include "Vector3.h"
+#include "WindingDipole.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace sb
 {
@@ -34,24 +34,14 @@ public:
   double At(const Vector3& query) const;
 
 private:
-  /** A group of triangles seen from afar; in the unit of the points times the tree's scale, and
-   * relative to the first point of the surface. */
-  struct Dipole
-  {
-    Vector3 Center;
-    Vector3 Normal; ///< sum of the triangles' normals, as long as their areas
-    Vector3 Moment[3]; ///< [k] sum of (triangle's centre - Center)_k times its normal
-    double Area = 0.0;
-    double Radius = 0.0;
-  };
-
-  Dipole Gather(const std::vector<Dipole>& parts, std::size_t begin, std::size_t end) const;
   void FillLowestLevel(Executor& executor);
   double NearBy(const Vector3& query, std::int32_t node) const;
 
   const NearestTriangle* Tree = nullptr;
   Vector3 Reference;
-  std::vector<std::vector<Dipole>> Levels; ///< [0]: groups of eight triangles
+  /** Lengths are in the unit of the points times the tree's scale, relative to the first point of
+   * the surface. Lowest: groups of eight triangles. */
+  WindingTree Groups;
 };
 
 } // namespace sb

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlaneSection.h"
 
+#include "EdgeRoot.h"
 #include "ParallelSort.h"
+#include "SectionSteps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +19,6 @@ namespace
 constexpr std::int64_t Grain = 128;
 constexpr double SquareInWidths = 1.0 / 3.0;
 constexpr double Rounding = 1e-12; ///< in widths: values below it have no sign
-constexpr double Reserve = 0.85; ///< of the chord error, as it is measured at some places only
 
 /** A square of the plane's grid, or the node at its lower corner. */
 struct Square
@@ -58,7 +59,7 @@ public:
     double chordError, Executor& executor, Monitor& monitor)
     : Surface(surface)
     , Normal(normal)
-    , Bound(Reserve * chordError)
+    , ChordError(chordError)
     , Edge(SquareInWidths * surface.NarrowWidth())
     , Threads(executor)
     , Watch(monitor)
@@ -92,6 +93,10 @@ public:
       this->FindSegments();
       for (const std::vector<std::int32_t>& branch : this->Branches())
       {
+        if (this->Watch.Aborted())
+        {
+          break;
+        }
         this->AddCurve(branch, section.Curves);
       }
     }
@@ -259,29 +264,12 @@ private:
     const Real3 along = Scaled(edge % 2 == 0 ? this->AxisU : this->AxisV, this->Edge);
     const std::size_t other = this->NumberOf(
       edge % 2 == 0 ? Square{ lower.U + 1, lower.V } : Square{ lower.U, lower.V + 1 });
-    const bool startsInside = this->IsInside(place / 2);
-    double low = 0.0;
-    double high = 1.0;
-    double t = std::clamp(
-      this->Values[place / 2] / (this->Values[place / 2] - this->Values[other]), 0.0, 1.0);
-    SurfaceValue f;
-    for (int iteration = 0; iteration < 60; ++iteration)
-    {
-      f = this->Surface.EvaluateAt(PlusScaled(start, t, along), 1, this->Near);
-      ((f.Value < 0.0) == startsInside ? low : high) = t;
-      const double newton = t - f.Value / Dot(f.Gradient, along);
-      const double next = newton >= low && newton <= high ? newton : 0.5 * (low + high);
-      const double step = std::abs(next - t);
-      t = next;
-      if (step < 1e-12)
-      {
-        break;
-      }
-    }
-    this->Points[place] = PlusScaled(start, t, along);
-    const bool supported = f.Where == Support::Defined || f.Where == Support::Contradicting;
-    this->Supported[place] = supported ? Yes : No;
-    return supported;
+    const EdgeRoot root = FindEdgeRoot(this->Surface,
+      { start, along, this->Values[place / 2], this->Values[other], this->IsInside(place / 2) },
+      this->Near);
+    this->Points[place] = root.Point;
+    this->Supported[place] = root.IsSupported() ? Yes : No;
+    return root.IsSupported();
   }
 
   /** Edges in their order along each branch, open ones first; a loop has its first edge again at
@@ -337,113 +325,10 @@ private:
     SectionCurve curve;
     curve.Closed = branch.front() == branch.back();
     curve.Points.push_back(points.front());
-    for (std::size_t at = 0; at + 1 < points.size() && !this->Watch.Aborted();)
-    {
-      at = this->Step(points, at, curve);
-    }
+    curve.LargestChordError =
+      SectionSteps(this->Surface, this->Normal, this->ChordError, this->Edge)
+        .Walk(points, curve.Points);
     curves.push_back(std::move(curve));
-  }
-
-  /** One step from points[at] as far as the bound allows; returns where it ends. */
-  std::size_t Step(const std::vector<Real3>& points, std::size_t at, SectionCurve& curve)
-  {
-    const SurfaceValue f = this->Surface.EvaluateAt(points[at], 2, this->Near);
-    const double curvature = std::abs(SectionCurvature(f, this->Normal));
-    // The chord of a circle with that sagitta, but never more than two widths.
-    const double most = 2.0 * this->Surface.NarrowWidth();
-    const double squared = 4.0 * (2.0 * this->Bound / curvature - this->Bound * this->Bound);
-    const double length = squared < most * most ? std::sqrt(std::max(0.0, squared)) : most;
-    std::size_t last = at + 1;
-    double arc = Length(Difference(points[last], points[at]));
-    // A loop takes three steps at least.
-    const std::size_t farthest =
-      std::min(points.size() - 1, at + std::max<std::size_t>(1, (points.size() - 1) / 3));
-    while (last < farthest && arc + Length(Difference(points[last + 1], points[last])) <= length)
-    {
-      arc += Length(Difference(points[last + 1], points[last]));
-      ++last;
-    }
-    for (; last > at + 1; last = at + (last - at + 1) / 2)
-    {
-      const double error = this->ErrorOf(points, at, last);
-      if (error <= this->Bound)
-      {
-        curve.LargestChordError = std::max(curve.LargestChordError, error);
-        curve.Points.push_back(points[last]);
-        return last;
-      }
-    }
-    this->Subdivide(points[at], points[at + 1], 0, curve);
-    return at + 1;
-  }
-
-  /** The measured chord error of the step between two of the points. */
-  double ErrorOf(const std::vector<Real3>& points, std::size_t first, std::size_t last)
-  {
-    double error = 0.0;
-    for (std::size_t k = first; k < last; ++k)
-    {
-      const Real3 middle = PlusScaled(points[k], 0.5, Difference(points[k + 1], points[k]));
-      Real3 onCurve = middle;
-      this->OntoCurve(onCurve);
-      for (const Real3& x : { points[k], onCurve })
-      {
-        error = std::max(error, DistanceToSegment(x, points[first], points[last]));
-      }
-    }
-    return error;
-  }
-
-  static double DistanceToSegment(const Real3& x, const Real3& a, const Real3& b)
-  {
-    const Real3 along = Difference(b, a);
-    const double t = std::clamp(Dot(Difference(x, a), along) / Dot(along, along), 0.0, 1.0);
-    return Length(Difference(x, PlusScaled(a, t, along)));
-  }
-
-  /** Halve a step between neighbours on the grid until its chord error is kept. */
-  void Subdivide(const Real3& a, const Real3& b, int depth, SectionCurve& curve)
-  {
-    constexpr int deepest = 16;
-    double error = 0.0;
-    Real3 middle{};
-    for (const double t : { 0.25, 0.75, 0.5 })
-    {
-      middle = PlusScaled(a, t, Difference(b, a));
-      this->OntoCurve(middle);
-      error = std::max(error, DistanceToSegment(middle, a, b));
-    }
-    if (error > this->Bound && depth < deepest)
-    {
-      this->Subdivide(a, middle, depth + 1, curve);
-      this->Subdivide(middle, b, depth + 1, curve);
-      return;
-    }
-    curve.LargestChordError = std::max(curve.LargestChordError, error);
-    curve.Points.push_back(b);
-  }
-
-  /** Newton's method in the plane; where it does not lead to the curve, x stays. */
-  void OntoCurve(Real3& x)
-  {
-    const Real3 start = x;
-    for (int iteration = 0; iteration < 20; ++iteration)
-    {
-      const SurfaceValue f = this->Surface.EvaluateAt(x, 1, this->Near);
-      const Real3 inPlane = WithoutPartAlong(f.Gradient, this->Normal);
-      const double steepness = Dot(inPlane, inPlane);
-      const double step = std::abs(f.Value) / std::sqrt(steepness);
-      if (!f.IsNear || !(step < this->Edge) || Length(Difference(x, start)) > this->Edge)
-      {
-        x = start;
-        return;
-      }
-      x = PlusScaled(x, -f.Value / steepness, inPlane);
-      if (step < 1e-7 * this->Edge)
-      {
-        return;
-      }
-    }
   }
 
   enum : std::uint8_t
@@ -455,7 +340,7 @@ private:
 
   const MovingLeastSquares& Surface;
   const Real3 Normal;
-  const double Bound;
+  const double ChordError;
   const double Edge;
   Executor& Threads;
   Monitor& Watch;

@@ -67,9 +67,14 @@ int CarriedType(vtkAbstractArray* array)
 }
 
 template <typename Value>
-Value FillValue()
+Value FillValue(const std::string& name)
 {
-  return std::is_floating_point<Value>::value ? std::numeric_limits<Value>::quiet_NaN() : Value(0);
+  if (std::is_floating_point<Value>::value)
+  {
+    return std::numeric_limits<Value>::quiet_NaN();
+  }
+  // 0 would be a face, or a solid, of the designed body.
+  return name == "FaceId" || name == "SolidId" ? Value(-1) : Value(0);
 }
 
 template <typename Value>
@@ -90,6 +95,7 @@ struct NumberColumn
 {
   std::vector<const Value*> Sources;
   Value* Target = nullptr;
+  Value Fill = Value();
   int Components = 1;
   bool TakeNearest = false;
 
@@ -103,7 +109,7 @@ struct NumberColumn
       return;
     }
     std::fill(this->Target + (run.First + begin) * this->Components,
-      this->Target + (run.First + end) * this->Components, FillValue<Value>());
+      this->Target + (run.First + end) * this->Components, this->Fill);
   }
 
   void Interpolate(const sb::InterpolatedPoint& point, std::int64_t tuple) const
@@ -112,7 +118,7 @@ struct NumberColumn
     const Value* source = this->Sources[point.Operand];
     if (!source)
     {
-      std::fill_n(target, this->Components, FillValue<Value>());
+      std::fill_n(target, this->Components, this->Fill);
       return;
     }
     if (this->TakeNearest)
@@ -179,6 +185,7 @@ void CarryNumbers(const std::vector<vtkSmartPointer<vtkAbstractArray>>& sources,
       source ? static_cast<const Value*>(source->GetVoidPointer(0)) : nullptr);
   }
   column.Target = static_cast<Value*>(target->GetVoidPointer(0));
+  column.Fill = FillValue<Value>(target->GetName());
   column.Components = target->GetNumberOfComponents();
   column.TakeNearest = takeNearest;
   CarryNumbers(column, from, executor);

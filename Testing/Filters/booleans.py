@@ -101,6 +101,11 @@ def bytes_of(*surfaces):
 
 def heard_from(tested):
     """Update a filter; the errors and the warnings that it and its executive tell meanwhile."""
+    return heard_from_call(tested, tested.Update)
+
+
+def heard_from_call(tested, call):
+    """The same of another method of the filter."""
     heard = {"ErrorEvent": [], "WarningEvent": []}
 
     @calldata_type(VTK_STRING)
@@ -110,7 +115,7 @@ def heard_from(tested):
     for watched in (tested, tested.GetExecutive()):
         for event in heard:
             watched.AddObserver(event, listen)
-    tested.Update()
+    call()
     return heard["ErrorEvent"], heard["WarningEvent"]
 
 

@@ -1,0 +1,323 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNURBSReader.h"
+
+#include "CADFile.h"
+#include "CADSession.h"
+#include "FieldArrays.h"
+#include "Ingest.h"
+#include "KernelExecutor.h"
+#include "NURBSArrays.h"
+#include "ShapeFacets.h"
+#include "Stopwatch.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTypeInt32Array.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <sstream>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkNURBSReader);
+
+namespace
+{
+
+constexpr std::int64_t mostTriangles = 10000000;
+
+/** A VTK array with a copy of the values. */
+template <typename Array, typename Value>
+vtkSmartPointer<Array> ArrayOf(const char* name, int components, const std::vector<Value>& values)
+{
+  const auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
+}
+
+} // namespace
+
+/** One update: its steps in their order, and what they share. */
+class vtkNURBSReader::Run
+{
+public:
+  Run(vtkNURBSReader* reader, vtkPolyData* output)
+    : Reader(reader)
+    , Output(output)
+  {
+  }
+
+  void Execute();
+
+private:
+  struct Failure
+  {
+    int Status;
+    std::string Sentence;
+  };
+
+  void CheckSettings() const;
+  void ReadShape();
+  void MakeFacets();
+  void Examine();
+  void FillOutput();
+  void AddFields();
+  void Warn(int status, const std::string& sentence);
+  void Check(const sbvtk::CADOutcome& outcome) const;
+  std::string File() const { return std::string("The file ") + this->Reader->FileName + " "; }
+
+  vtkNURBSReader* Reader;
+  vtkPolyData* Output;
+  sbvtk::KernelExecutor Executor;
+  sbvtk::Stopwatch Watch;
+  std::vector<sb::StageTime> Times;
+  TopoDS_Shape Shape;
+  sbvtk::ShapeFacets Facets;
+  sb::OperandReport Report;
+  bool Closed = false;
+  int Status = OK;
+  std::string Message;
+};
+
+//------------------------------------------------------------------------------
+void vtkNURBSReader::Run::Execute()
+{
+  Failure failure{ OK, "" };
+  try
+  {
+    this->CheckSettings();
+    this->ReadShape();
+    this->MakeFacets();
+    this->Examine();
+    this->FillOutput();
+    this->AddFields();
+    return;
+  }
+  catch (const Failure& caught)
+  {
+    failure = caught;
+  }
+  catch (const std::bad_alloc&)
+  {
+    failure = { OUT_OF_MEMORY, "The facets do not fit into memory; choose a larger ChordError." };
+  }
+  this->Output->Initialize();
+  sbvtk::AddField(this->Output, "Status", failure.Status);
+  sbvtk::AddField(this->Output, "Message", failure.Sentence);
+  if (failure.Status != ABORTED)
+  {
+    vtkErrorWithObjectMacro(this->Reader, << failure.Sentence);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkNURBSReader::Run::CheckSettings() const
+{
+  if (!this->Reader->FileName || !*this->Reader->FileName)
+  {
+    throw Failure{ BAD_REQUEST, "There is no file to read; set FileName." };
+  }
+  constexpr double least = 1e-7;
+  constexpr double most = 0.1;
+  if (!(this->Reader->ChordError >= least && this->Reader->ChordError <= most))
+  {
+    std::ostringstream sentence;
+    sentence << "ChordError is " << this->Reader->ChordError << "; set it to a share from " << least
+             << " to " << most << " of the diagonal of the box.";
+    throw Failure{ BAD_REQUEST, sentence.str() };
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkNURBSReader::Run::Check(const sbvtk::CADOutcome& outcome) const
+{
+  switch (outcome.Status)
+  {
+    case sbvtk::CADStatus::Ok:
+      return;
+    case sbvtk::CADStatus::Aborted:
+      throw Failure{ ABORTED, "The reader was stopped." };
+    case sbvtk::CADStatus::OutOfMemory:
+      throw std::bad_alloc();
+    case sbvtk::CADStatus::Failed:
+      throw Failure{ NOT_READABLE,
+        this->File() + "cannot be used, for Open CASCADE gave up on it (" + outcome.Reason +
+          "); export it again, or as the other one of STEP and IGES." };
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkNURBSReader::Run::ReadShape()
+{
+  sbvtk::KernelMonitor monitor(this->Reader, 0.0, 0.6);
+  std::string refusal;
+  this->Check(
+    sbvtk::RunCAD(monitor, 0.0, 1.0, "Read file", [&](const Message_ProgressRange& progress) {
+      refusal = sbvtk::ReadCADFile(this->Reader->FileName, this->Shape, progress);
+    }));
+  if (!refusal.empty())
+  {
+    throw Failure{ NOT_READABLE, this->File() + refusal };
+  }
+  this->Times.push_back({ "Read file", this->Watch.Lap() });
+}
+
+//------------------------------------------------------------------------------
+void vtkNURBSReader::Run::MakeFacets()
+{
+  if (!this->Shape.IsNull())
+  {
+    sbvtk::KernelMonitor monitor(this->Reader, 0.6, 0.95);
+    this->Check(
+      sbvtk::RunCAD(monitor, 0.0, 1.0, "Make facets", [&](const Message_ProgressRange& progress) {
+        this->Facets = sbvtk::MakeShapeFacets(
+          this->Shape, this->Reader->ChordError, mostTriangles, this->Executor, progress);
+      }));
+  }
+  if (this->Facets.IsTooFine)
+  {
+    throw Failure{ TOO_MANY_FACETS,
+      this->File() + "would take more than " + std::to_string(mostTriangles) +
+        " facets; choose a larger ChordError." };
+  }
+  if (this->Facets.Surface.FaceId.empty())
+  {
+    throw Failure{ NO_FACES,
+      this->File() + "has no faces that can be shown; export surfaces or solids to it." };
+  }
+  this->Times.push_back({ "Make facets", this->Watch.Lap() });
+}
+
+//------------------------------------------------------------------------------
+void vtkNURBSReader::Run::Warn(int status, const std::string& sentence)
+{
+  this->Status = this->Message.empty() ? status : this->Status;
+  this->Message += (this->Message.empty() ? "" : " ") + sentence;
+  vtkWarningWithObjectMacro(this->Reader, << sentence);
+}
+
+//------------------------------------------------------------------------------
+void vtkNURBSReader::Run::Examine()
+{
+  const sb::DesignedSurface& surface = this->Facets.Surface;
+  sb::Surface mesh;
+  mesh.Points = surface.Points.data();
+  mesh.NumberOfPoints = static_cast<std::int64_t>(surface.Points.size() / 3);
+  mesh.Triangles = surface.Triangles.data();
+  mesh.NumberOfTriangles = static_cast<std::int64_t>(surface.FaceId.size());
+  const auto examination = sb::Examine(mesh, this->Executor, sb::OpenSurfaces::Accept);
+  this->Report = examination->Report;
+  this->Closed = !examination->IsOpen;
+  if (this->Facets.NumberOfBareFaces > 0)
+  {
+    this->Warn(INCOMPLETE,
+      this->File() + "has " + std::to_string(this->Facets.NumberOfBareFaces) +
+        " faces that could not be cut into triangles and are left out; repair them in the program "
+        "that made it.");
+  }
+  if (!this->Closed)
+  {
+    this->Warn(OPEN,
+      this->File() +
+        "is an open surface and encloses no volume; if it should be a solid, export it as one.");
+  }
+  const double bound = this->Reader->ChordError * this->Facets.Diagonal;
+  if (this->Facets.LargestChordError > bound || this->Facets.NumberOfApproximations > 0)
+  {
+    std::ostringstream sentence;
+    sentence << this->File() << "has facets up to " << this->Facets.LargestChordError
+             << " off their face (asked for: " << bound << ") and "
+             << this->Facets.NumberOfApproximations
+             << " offset faces that could only be approximated; the field data have the figures.";
+    this->Warn(APPROXIMATED, sentence.str());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkNURBSReader::Run::FillOutput()
+{
+  const sb::DesignedSurface& surface = this->Facets.Surface;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetData(ArrayOf<vtkDoubleArray>("Points", 3, surface.Points));
+  std::vector<int> offsets(surface.FaceId.size() + 1);
+  std::vector<int> solids(surface.FaceId.size());
+  for (std::size_t i = 0; i < surface.FaceId.size(); ++i)
+  {
+    offsets[i + 1] = static_cast<int>(3 * (i + 1));
+    solids[i] = this->Facets.SolidOfFace[static_cast<std::size_t>(surface.FaceId[i])];
+  }
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(ArrayOf<vtkTypeInt32Array>("", 1, offsets),
+    ArrayOf<vtkTypeInt32Array>("", 1, surface.Triangles));
+  this->Output->SetPoints(points);
+  this->Output->SetPolys(cells);
+  vtkPointData* pointData = this->Output->GetPointData();
+  pointData->SetNormals(ArrayOf<vtkDoubleArray>("Normals", 3, this->Facets.Normals));
+  pointData->AddArray(ArrayOf<vtkDoubleArray>(sbvtk::ParametersArray, 2, surface.UV));
+  vtkCellData* cellData = this->Output->GetCellData();
+  cellData->AddArray(ArrayOf<vtkIntArray>(sbvtk::FaceArray, 1, surface.FaceId));
+  cellData->AddArray(ArrayOf<vtkIntArray>("SolidId", 1, solids));
+  sbvtk::AttachPatches(this->Output, surface.Patches);
+  this->Times.push_back({ "Build output", this->Watch.Lap() });
+}
+
+//------------------------------------------------------------------------------
+void vtkNURBSReader::Run::AddFields()
+{
+  using sbvtk::AddField;
+  AddField(this->Output, "Status", this->Status);
+  AddField(this->Output, "Message", this->Message);
+  AddField(this->Output, "Unit", std::string("mm"));
+  AddField(this->Output, "NumberOfFaces", static_cast<int>(this->Facets.Surface.Patches.size()));
+  AddField(this->Output, "NumberOfSolids", static_cast<int>(this->Facets.NumberOfSolids));
+  AddField(this->Output, "NumberOfApproximatedFaces",
+    static_cast<int>(this->Facets.NumberOfApproximations));
+  AddField(this->Output, "Closed", this->Closed ? 1 : 0);
+  AddField(this->Output, "Volume", this->Report.Volume);
+  AddField(this->Output, "Area", this->Report.Area);
+  AddField(this->Output, "ChordError", this->Facets.LargestChordError);
+  AddField(this->Output, "Gap", this->Facets.LargestGap);
+  sbvtk::AddStageFields(this->Output, this->Times);
+}
+
+//------------------------------------------------------------------------------
+vtkNURBSReader::vtkNURBSReader() { this->SetNumberOfInputPorts(0); }
+
+//------------------------------------------------------------------------------
+vtkNURBSReader::~vtkNURBSReader() { delete[] this->FileName; }
+
+//------------------------------------------------------------------------------
+int vtkNURBSReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  sbvtk::RunWithThreads(0, [&] { Run(this, output).Execute(); });
+  // A run that was stopped says so in its field data, which the pipeline would clear.
+  this->SetAbortOutput(false);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkNURBSReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "ChordError: " << this->ChordError << "\n";
+}

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file EdgeRoot.h
+ * @brief Where a cloud's surface crosses an edge whose ends lie on different sides of it.
+ */
+#ifndef sb_EdgeRoot_h
+#define sb_EdgeRoot_h
+
+#include "MovingLeastSquares.h"
+
+namespace sb
+{
+
+/** An edge from Start to Start + Along, and the values at its ends. */
+struct CrossedEdge
+{
+  Real3 Start{};
+  Real3 Along{};
+  double ValueAtStart = 0.0;
+  double ValueAtEnd = 0.0;
+  bool StartsInside = false;
+};
+
+struct EdgeRoot
+{
+  Real3 Point{};
+  SurfaceValue Surface; ///< at the point or next to it, with its gradient
+  /** Whether the surface is there, and not beyond the border of the scan. */
+  bool IsSupported() const
+  {
+    return this->Surface.Where == Support::Defined || this->Surface.Where == Support::Contradicting;
+  }
+};
+
+/** By Newton's method, halving where it would leave the bracket. */
+EdgeRoot FindEdgeRoot(const MovingLeastSquares& surface, const CrossedEdge& edge,
+  MovingLeastSquares::Neighbourhood& near);
+
+} // namespace sb
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file MeshEdit.h
+ * @brief Moving points and collapsing edges in a part of a mesh, as long as no triangle turns over
+ * and the topology stays.
+ */
+#ifndef sb_MeshEdit_h
+#define sb_MeshEdit_h
+
+#include "CombinedMesh.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace sb
+{
+
+class MeshEdit
+{
+public:
+  /** How a triangle has to face. */
+  struct Front
+  {
+    Real3 Direction{}; ///< of length one or zero
+    double LeastCosine = 0.0; ///< between it and the triangle's normal
+  };
+  using FrontOf = std::function<Front(std::int32_t triangle)>;
+
+  /** @param zone 1 for the points that can be moved or collapsed; only there edits are possible */
+  MeshEdit(CombinedMesh& mesh, const std::vector<std::uint8_t>& zone, FrontOf front);
+
+  const std::vector<std::int32_t>& TrianglesAt(std::int32_t point) const
+  {
+    return this->Incident[static_cast<std::size_t>(this->Zone[static_cast<std::size_t>(point)])];
+  }
+
+  /** The points that share an edge with it, ascending. */
+  std::vector<std::int32_t> Neighbours(std::int32_t point) const;
+
+  bool IsInZone(std::int32_t point) const
+  {
+    return this->Zone[static_cast<std::size_t>(point)] >= 0;
+  }
+
+  /** Whether it has been collapsed into another one. */
+  bool IsGone(std::int32_t point) const
+  {
+    return this->Into[static_cast<std::size_t>(point)] != point;
+  }
+
+  /** Move a point, unless a triangle would turn over or lie across the surface. */
+  bool Move(std::int32_t point, const Real3& place);
+
+  /** Move `gone` into `kept`, unless a triangle would turn over or the surface would be pinched. */
+  bool Collapse(std::int32_t gone, std::int32_t kept);
+
+  /** Drop what was collapsed from the mesh. @return for each point before, its number now */
+  std::vector<std::int32_t> Finish();
+
+private:
+  bool MayMove(std::int32_t point, const Real3& place, std::int32_t exceptWith) const;
+  std::array<Real3, 3> CornersOf(std::int32_t triangle) const;
+
+  CombinedMesh& Mesh;
+  FrontOf FrontOfTriangle;
+  std::vector<std::int32_t> Zone; ///< [point] its place in Incident, or -1
+  std::vector<std::vector<std::int32_t>> Incident;
+  std::vector<std::int32_t> Into; ///< [point] itself, or what it was collapsed into
+};
+
+} // namespace sb
+
+#endif

@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NURBSSection.h"
+
+#include "ChordSteps.h"
+#include "ClosestOnPatch.h"
+#include "CommonPoint.h"
+#include "PieceJoining.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sb
+{
+namespace
+{
+
+constexpr std::size_t NodesInPart = 96; ///< that one thread steps along at a time
+constexpr double LongestStep = 2.0; ///< in widths
+constexpr double SameInWidths = 1e-4; ///< points closer than that are no curve
+constexpr double ShortestStep = 1e-3; ///< in widths
+
+/** The curve that a patch and the surface have in common. */
+class CommonCurve : public SteppedCurve
+{
+public:
+  CommonCurve(const MovingLeastSquares& surface, const NURBSSurface& patch)
+    : Surface(surface)
+    , Patch(patch)
+  {
+  }
+
+  double CurvatureAt(const CurveNode& node) override
+  {
+    const PatchPoint p = EvaluatePatch(this->Patch, node.U, node.V, 2);
+    return Length(CurvatureOfCommonCurve(this->Surface.EvaluateAt(p.Point, 2, this->Near), p));
+  }
+
+  CurveNode Between(const CurveNode& a, const CurveNode& b, double t) override
+  {
+    const Real3 chord = Difference(b.Point, a.Point);
+    const Real3 wanted = PlusScaled(a.Point, t, chord);
+    double u = a.U + t * (b.U - a.U);
+    double v = a.V + t * (b.V - a.V);
+    const Real3 guess = EvaluatePatch(this->Patch, u, v, 0).Point;
+    if (Length(Difference(guess, wanted)) > 0.25 * Length(chord))
+    {
+      // Around a pole, a straight line in u and v is none in space.
+      const PlaceOnPatch place = ClosestOnPatchFrom(this->Patch, wanted, u, v);
+      u = place.U;
+      v = place.V;
+    }
+    const CommonPoint common = OntoCloudAndPatch(this->Surface, this->Patch, u, v, this->Near);
+    return common.Found ? CurveNode{ common.Point, common.U, common.V } : a;
+  }
+
+  /** How far a node is from either surface. */
+  double ResidualOf(const CurveNode& node)
+  {
+    const Real3 onPatch = EvaluatePatch(this->Patch, node.U, node.V, 0).Point;
+    const double value = this->Surface.EvaluateAt(node.Point, 0, this->Near).Value;
+    return std::max(std::abs(value), Length(Difference(onPatch, node.Point)));
+  }
+
+private:
+  const MovingLeastSquares& Surface;
+  const NURBSSurface& Patch;
+  MovingLeastSquares::Neighbourhood Near;
+};
+
+/** A piece with as few nodes as the bound allows. */
+struct SteppedPiece
+{
+  std::vector<CurveNode> Nodes;
+  double ChordError = 0.0;
+  double Residual = 0.0;
+};
+
+class PatchSectioning
+{
+public:
+  PatchSectioning(const MovingLeastSquares& surface, const DesignedSurface& designed,
+    const NURBSSectionRequest& request, Executor& executor, Monitor& monitor)
+    : Surface(surface)
+    , Designed(designed)
+    , Request(request)
+    , Threads(executor)
+    , Watch(monitor)
+  {
+  }
+
+  NURBSSection Run()
+  {
+    this->FindPieces();
+    this->Partner = JoinPieces(this->Surface, this->Designed, this->Pieces);
+    this->StepAlongPieces();
+    this->Result.Aborted = this->Watch.Aborted();
+    if (this->Result.Aborted)
+    {
+      return { {}, 0.0, true };
+    }
+    this->AssembleCurves();
+    return std::move(this->Result);
+  }
+
+private:
+  void FindPieces()
+  {
+    std::vector<std::vector<std::int32_t>> triangles(this->Designed.Patches.size());
+    for (std::size_t i = 0; i < this->Designed.FaceId.size(); ++i)
+    {
+      const std::int32_t face = this->Designed.FaceId[i];
+      if (face >= 0)
+      {
+        triangles[static_cast<std::size_t>(face)].push_back(static_cast<std::int32_t>(i));
+      }
+    }
+    CoincidenceTolerance tolerance(this->Surface, this->Request.Spacing);
+    const FaceSectionRequest request{ this->Surface, this->Designed, this->Request.Spacing,
+      tolerance };
+    for (std::size_t face = 0; face < triangles.size() && !this->Watch.Aborted(); ++face)
+    {
+      this->Watch.Progress(0.7 * double(face) / double(triangles.size()), "Faces");
+      FaceSection section = SectionOfFace(request, triangles[face], this->Threads, this->Watch);
+      this->Result.CoincidentArea += section.CoincidentArea;
+      std::move(section.Pieces.begin(), section.Pieces.end(), std::back_inserter(this->Pieces));
+    }
+  }
+
+  /** A part of a piece: nodes, with the last one of the part before it first. */
+  struct Part
+  {
+    std::size_t Piece;
+    std::size_t Begin;
+    std::size_t End;
+    SteppedPiece Stepped;
+  };
+
+  void StepAlongPieces()
+  {
+    std::vector<Part> parts;
+    for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
+    {
+      const std::size_t count = this->Pieces[piece].Nodes.size();
+      for (std::size_t begin = 0; begin + 1 < count; begin += NodesInPart)
+      {
+        parts.push_back({ piece, begin, std::min(count, begin + NodesInPart + 1), {} });
+      }
+    }
+    this->Watch.Progress(0.7, "Curves");
+    this->Threads.For(
+      static_cast<std::int64_t>(parts.size()), 1, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end && !this->Watch.Aborted(); ++i)
+        {
+          this->StepAlongPart(parts[static_cast<std::size_t>(i)]);
+        }
+      });
+    this->Stepped.resize(this->Pieces.size());
+    for (const Part& part : parts)
+    {
+      SteppedPiece& whole = this->Stepped[part.Piece];
+      if (whole.Nodes.empty())
+      {
+        whole.Nodes.push_back(this->Pieces[part.Piece].Nodes.front());
+      }
+      whole.Nodes.insert(whole.Nodes.end(), part.Stepped.Nodes.begin(), part.Stepped.Nodes.end());
+      whole.ChordError = std::max(whole.ChordError, part.Stepped.ChordError);
+      whole.Residual = std::max(whole.Residual, part.Stepped.Residual);
+    }
+  }
+
+  void StepAlongPart(Part& part) const
+  {
+    const SectionPiece& piece = this->Pieces[part.Piece];
+    CommonCurve curve(this->Surface, this->Designed.Patches[static_cast<std::size_t>(piece.Face)]);
+    const std::vector<CurveNode> nodes(
+      piece.Nodes.begin() + static_cast<std::ptrdiff_t>(part.Begin),
+      piece.Nodes.begin() + static_cast<std::ptrdiff_t>(part.End));
+    const double width = this->Surface.Width();
+    // A loop takes three steps at least.
+    const std::size_t fewest = piece.Begin == CurveEnd::None ? 3 : 1;
+    part.Stepped.ChordError =
+      StepAlong(nodes, { this->Request.ChordError, LongestStep * width, ShortestStep * width },
+        fewest, curve, part.Stepped.Nodes);
+    part.Stepped.Residual = curve.ResidualOf(nodes.front());
+    for (const CurveNode& node : part.Stepped.Nodes)
+    {
+      part.Stepped.Residual = std::max(part.Stepped.Residual, curve.ResidualOf(node));
+    }
+  }
+
+  /** Open curves first, then loops; each begins with the first of its pieces. */
+  void AssembleCurves()
+  {
+    std::vector<std::uint8_t> done(this->Pieces.size(), 0);
+    for (const bool loops : { false, true })
+    {
+      for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
+      {
+        const PieceEnd begin = static_cast<PieceEnd>(2 * piece);
+        const bool isOpen = this->Pieces[piece].Begin != CurveEnd::None;
+        const bool startsHere = this->Partner[2 * piece] < 0 && isOpen;
+        const bool endsHere = this->Partner[2 * piece + 1] < 0 && isOpen;
+        if (!done[piece] && (loops || startsHere || endsHere))
+        {
+          this->AddCurve(loops || startsHere ? begin : begin + 1, done);
+        }
+      }
+    }
+  }
+
+  /** Follow the pieces from an end of one. */
+  void AddCurve(PieceEnd from, std::vector<std::uint8_t>& done)
+  {
+    NURBSCurve curve;
+    const SectionPiece& first = this->Pieces[static_cast<std::size_t>(from / 2)];
+    curve.Begin = from % 2 == 0 ? first.Begin : first.End;
+    PieceEnd at = from;
+    while (at >= 0 && !done[static_cast<std::size_t>(at / 2)])
+    {
+      const std::size_t piece = static_cast<std::size_t>(at / 2);
+      done[piece] = 1;
+      this->AddPiece(piece, at % 2 == 1, curve);
+      curve.End = at % 2 == 0 ? this->Pieces[piece].End : this->Pieces[piece].Begin;
+      at = this->Partner[static_cast<std::size_t>(at ^ 1)];
+    }
+    curve.Closed = at == from || first.Begin == CurveEnd::None;
+    if (curve.Closed)
+    {
+      curve.Begin = curve.End = CurveEnd::None;
+      if (curve.Points.front() != curve.Points.back())
+      {
+        curve.Points.push_back(curve.Points.front());
+        curve.UV.push_back(curve.UV.front());
+        curve.FaceId.push_back(curve.FaceId.front());
+      }
+    }
+    if (this->IsCurve(curve))
+    {
+      this->Result.Curves.push_back(std::move(curve));
+    }
+  }
+
+  /** Where a curve passes a pole of a patch, pieces are left over that are points. */
+  bool IsCurve(const NURBSCurve& curve) const
+  {
+    const double least = SameInWidths * this->Surface.Width();
+    return std::any_of(curve.Points.begin(), curve.Points.end(),
+      [&](const Real3& x) { return Length(Difference(x, curve.Points.front())) > least; });
+  }
+
+  void AddPiece(std::size_t piece, bool backwards, NURBSCurve& curve) const
+  {
+    const SteppedPiece& stepped = this->Stepped[piece];
+    const std::size_t count = stepped.Nodes.size();
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const CurveNode& node = stepped.Nodes[backwards ? count - 1 - k : k];
+      if (!curve.Points.empty() && curve.Points.back() == node.Point)
+      {
+        continue; // where the piece before it ended, or all of a piece that is a point
+      }
+      curve.Points.push_back(node.Point);
+      curve.UV.push_back({ node.U, node.V });
+      curve.FaceId.push_back(this->Pieces[piece].Face);
+    }
+    curve.LargestChordError = std::max(curve.LargestChordError, stepped.ChordError);
+    curve.LargestResidual = std::max(curve.LargestResidual, stepped.Residual);
+  }
+
+  const MovingLeastSquares& Surface;
+  const DesignedSurface& Designed;
+  const NURBSSectionRequest Request;
+  Executor& Threads;
+  Monitor& Watch;
+  std::vector<SectionPiece> Pieces;
+  std::vector<PieceEnd> Partner;
+  std::vector<SteppedPiece> Stepped;
+  NURBSSection Result;
+};
+
+} // namespace
+
+NURBSSection IntersectPatches(const MovingLeastSquares& surface, const DesignedSurface& designed,
+  const NURBSSectionRequest& request, Executor& executor, Monitor& monitor)
+{
+  return PatchSectioning(surface, designed, request, executor, monitor).Run();
+}
+
+} // namespace sb

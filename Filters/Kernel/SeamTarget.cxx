@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SeamTarget.h"
+
+#include "CommonPoint.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace sb
+{
+namespace
+{
+
+constexpr double SamePlane = 1e-9; ///< one minus the cosine between two triangles' normals
+constexpr double LeastCrossing = 0.05; ///< sine between a line and the surface; below it they touch
+constexpr int MostSteps = 12;
+constexpr int MostTriangles = 8; ///< that a vertex may go over
+constexpr double NearlyThere = 1e-9; ///< of the limit of a move
+
+/** The direction of the edge that two triangles share; zero if they share none. */
+Real3 SharedEdge(const ToolSurface& tool, std::int32_t s, std::int32_t t)
+{
+  const std::array<std::int32_t, 3> ofS = tool.Corners(s);
+  const std::array<std::int32_t, 3> ofT = tool.Corners(t);
+  std::array<std::int32_t, 3> shared{};
+  std::size_t count = 0;
+  for (const std::int32_t id : ofS)
+  {
+    if (std::find(ofT.begin(), ofT.end(), id) != ofT.end())
+    {
+      shared[count++] = id;
+    }
+  }
+  if (count != 2)
+  {
+    return {};
+  }
+  const Real3 along = Difference(tool.Point(shared[1]), tool.Point(shared[0]));
+  const double length = Length(along);
+  return length > 0.0 ? Scaled(along, 1.0 / length) : Real3{};
+}
+
+bool AreOnOnePatch(const ToolSurface& tool, const std::vector<std::int32_t>& triangles)
+{
+  const DesignedSurface& body = tool.Body();
+  const auto face = [&](std::int32_t t) { return body.FaceId[static_cast<std::size_t>(t)]; };
+  return body.HasPatches() && !body.FaceId.empty() &&
+    std::all_of(triangles.begin(), triangles.end(),
+      [&](std::int32_t t) { return face(t) >= 0 && face(t) == face(triangles.front()); });
+}
+
+/** The root of the function along a line. */
+CommonPoint OntoCloudAndLine(const MovingLeastSquares& cloud, const Real3& start,
+  const Real3& along, double limit, MovingLeastSquares::Neighbourhood& near)
+{
+  CommonPoint now;
+  now.Point = start;
+  cloud.Gather(start, limit, near);
+  double best = std::numeric_limits<double>::infinity();
+  CommonPoint reached;
+  for (int step = 0; step < MostSteps; ++step)
+  {
+    now.Surface = cloud.EvaluateNear(now.Point, 1, near);
+    const double slope = Dot(now.Surface.Gradient, along);
+    const double residual = std::abs(now.Surface.Value);
+    if (!now.Surface.IsNear || !(residual < best) ||
+      !(std::abs(slope) > LeastCrossing * Length(now.Surface.Gradient)))
+    {
+      break;
+    }
+    best = residual;
+    reached = now;
+    reached.Found = residual < NearlyThere * limit;
+    now.Point = PlusScaled(now.Point, -now.Surface.Value / slope, along);
+  }
+  return reached.Found ? reached : now;
+}
+
+SeamTarget TargetOf(
+  const CommonPoint& found, const Real3& normalOfTool, const Real3& start, double limit)
+{
+  SeamTarget target;
+  target.Reached = found.Found && Length(Difference(found.Point, start)) <= limit;
+  target.Place = target.Reached ? found.Point : start;
+  const double steepness = Length(found.Surface.Gradient);
+  if (steepness > 0.0)
+  {
+    target.Residual = std::abs(found.Surface.Value) / steepness;
+    target.Tangency = std::abs(Dot(found.Surface.Gradient, normalOfTool)) / steepness;
+  }
+  return target;
+}
+
+} // namespace
+
+SeamFreedom FreedomOn(const ToolSurface& tool, const std::vector<std::int32_t>& triangles)
+{
+  SeamFreedom freedom;
+  if (triangles.empty())
+  {
+    return freedom;
+  }
+  freedom.Triangle = triangles.front();
+  if (AreOnOnePatch(tool, triangles))
+  {
+    freedom.What = SeamFreedom::Kind::Patch;
+    return freedom;
+  }
+  std::vector<std::int32_t> planes; // a triangle of each
+  for (const std::int32_t t : triangles)
+  {
+    const Real3 normal = tool.Normal(t);
+    const bool known = Dot(normal, normal) == 0.0 ||
+      std::any_of(planes.begin(), planes.end(),
+        [&](std::int32_t other) { return Dot(tool.Normal(other), normal) > 1.0 - SamePlane; });
+    if (!known)
+    {
+      planes.push_back(t);
+    }
+  }
+  if (planes.size() == 1)
+  {
+    freedom = { SeamFreedom::Kind::Plane, tool.Normal(planes[0]), planes[0] };
+  }
+  else if (planes.size() == 2)
+  {
+    const Real3 along = SharedEdge(tool, planes[0], planes[1]);
+    if (Dot(along, along) > 0.0)
+    {
+      freedom = { SeamFreedom::Kind::Line, along, planes[0] };
+    }
+  }
+  return freedom;
+}
+
+SeamTarget FindSeamTarget(const MovingLeastSquares& cloud, const ToolSurface& tool,
+  const SeamFreedom& freedom, const Real3& start, double limit,
+  MovingLeastSquares::Neighbourhood& near)
+{
+  CommonPoint found;
+  found.Point = start;
+  switch (freedom.What)
+  {
+    case SeamFreedom::Kind::Plane:
+      found = OntoCloudAndPlane(cloud, start, freedom.Direction, start, near);
+      break;
+    case SeamFreedom::Kind::Patch: {
+      const std::array<double, 2> uv = tool.ParametersOf(freedom.Triangle, start);
+      found = OntoCloudAndPatch(cloud, tool.PatchOf(freedom.Triangle), uv[0], uv[1], near);
+      break;
+    }
+    case SeamFreedom::Kind::Line:
+      found = OntoCloudAndLine(cloud, start, freedom.Direction, limit, near);
+      break;
+    case SeamFreedom::Kind::Fixed:
+      found.Surface = cloud.EvaluateAt(start, 1, near);
+  }
+  return TargetOf(found, tool.Normal(freedom.Triangle), start, limit);
+}
+
+SeamTarget FindSeamTargetAcross(const MovingLeastSquares& cloud, const ToolSurface& tool,
+  const Real3& start, double limit, MovingLeastSquares::Neighbourhood& near)
+{
+  // In the plane of the nearest triangle; then, if that leads beyond it, back onto the tool.
+  Real3 place = start;
+  for (int step = 0; step < MostTriangles; ++step)
+  {
+    const ToolSurface::Nearest on = tool.NearestTo(place, limit);
+    if (on.Triangle < 0)
+    {
+      break;
+    }
+    const Real3 normal = tool.Normal(on.Triangle);
+    const CommonPoint found = OntoCloudAndPlane(cloud, on.Place, normal, on.Place, near);
+    if (!found.Found || tool.Distance(found.Point, limit) < NearlyThere * limit)
+    {
+      return TargetOf(found, normal, start, limit);
+    }
+    place = found.Point;
+  }
+  SeamTarget none;
+  none.Place = start;
+  return none;
+}
+
+bool IsNearPlanes(const ToolSurface& tool, const std::vector<std::int32_t>& triangles,
+  const Real3& place, double limit)
+{
+  return std::all_of(triangles.begin(), triangles.end(), [&](std::int32_t t) {
+    const Real3 corner = tool.Point(tool.Corners(t)[0]);
+    return std::abs(Dot(Difference(place, corner), tool.Normal(t))) <= limit;
+  });
+}
+
+} // namespace sb

@@ -1,0 +1,498 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPointSetBooleanFilter.h"
+
+#include "CloudBoolean.h"
+#include "CloudBooleanOutputs.h"
+#include "CloudInput.h"
+#include "CloudSentences.h"
+#include "CloudSurface.h"
+#include "ConditionSentences.h"
+#include "DesignedInput.h"
+#include "FieldArrays.h"
+#include "KernelExecutor.h"
+#include "NURBSArrays.h"
+#include "PointSurfaceMesh.h"
+#include "Stopwatch.h"
+#include "TimeSteps.h"
+#include "vtkPointSetSurfaceFilter.h"
+
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <new>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkPointSetBooleanFilter);
+
+namespace
+{
+
+constexpr double LargestShareOfDoubtful = 0.2;
+constexpr double LargestShareOfTangent = 0.3; ///< of the seam, where it is called coincident
+constexpr double SureEnough = 0.5; ///< confidence below which a warning is due
+constexpr double LargestResidual = 1e-6; ///< of the seam, in spacings, that goes without a warning
+
+/** Three digits: for sentences. */
+std::string Text(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+} // namespace
+
+struct vtkPointSetBooleanFilter::Cache
+{
+  sbvtk::DesignedInput Tool;
+};
+
+/** One update: its steps in their order, and what they share. */
+class vtkPointSetBooleanFilter::Run
+{
+public:
+  Run(
+    vtkPointSetBooleanFilter* filter, vtkInformationVector** inputs, vtkInformationVector* outputs)
+    : Filter(filter)
+    , CloudData(vtkDataObject::GetData(inputs[0], 0))
+    , ToolData(vtkDataObject::GetData(inputs[1], 0))
+    , Tool(filter->Kept->Tool)
+    , Surface(vtkPolyData::GetData(outputs, 0))
+    , Points(vtkPolyData::GetData(outputs, 1))
+    , Curves(vtkPolyData::GetData(outputs, 2))
+  {
+  }
+
+  void Execute();
+
+private:
+  struct Failure
+  {
+    int Status;
+    std::string Sentence;
+  };
+
+  void CheckSettings() const;
+  void ReadInputs();
+  void PrepareCloud();
+  void Compute();
+  void RefuseResult() const;
+  std::string ToolSentence() const;
+  void Judge();
+  void JudgeOverlap();
+  void JudgeScan();
+  void Warn(int status, const std::string& sentence);
+  void AddFields(int status, const std::string& message);
+
+  vtkPointSetBooleanFilter* Filter;
+  vtkDataObject* CloudData;
+  vtkDataObject* ToolData;
+  sbvtk::CloudInput Input;
+  sbvtk::DesignedInput& Tool;
+  vtkPolyData* Surface;
+  vtkPolyData* Points;
+  vtkPolyData* Curves;
+  sbvtk::KernelExecutor Executor;
+  sbvtk::Stopwatch Watch;
+  std::vector<sb::StageTime> Times;
+  sb::CloudSurface Cloud;
+  sb::CloudBooleanResult Result;
+  double CellSize = 0.0;
+  int Status = OK;
+  std::string Message;
+};
+
+//------------------------------------------------------------------------------
+void vtkPointSetBooleanFilter::Run::Execute()
+{
+  Failure failure{ OK, "" };
+  try
+  {
+    this->CheckSettings();
+    this->ReadInputs();
+    this->PrepareCloud();
+    this->Compute();
+    this->Judge();
+    sbvtk::BuildCloudBoolean({ this->Cloud, this->Input, this->Tool, this->Result },
+      { this->Surface, this->Points, this->Curves }, this->Executor);
+    this->Times.push_back({ "Build outputs", this->Watch.Lap() });
+    this->AddFields(this->Status, this->Message);
+    return;
+  }
+  catch (const Failure& caught)
+  {
+    failure = caught;
+  }
+  catch (const std::bad_alloc&)
+  {
+    failure = { OUT_OF_MEMORY,
+      "The result does not fit into memory; choose a larger CellSize or fewer points." };
+  }
+  this->Surface->Initialize();
+  this->Points->Initialize();
+  this->Curves->Initialize();
+  this->AddFields(failure.Status, failure.Sentence);
+  if (failure.Status != ABORTED)
+  {
+    vtkErrorWithObjectMacro(this->Filter, << failure.Sentence);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetBooleanFilter::Run::CheckSettings() const
+{
+  const int operation = this->Filter->Operation;
+  if (operation < UNION || operation > REVERSE_DIFFERENCE)
+  {
+    throw Failure{ BAD_REQUEST,
+      "Operation is " + std::to_string(operation) +
+        "; set it to 0 (Union), 1 (Intersection), 2 (Difference) or 3 (Reverse Difference)." };
+  }
+  const std::pair<const char*, double> lengths[] = { { "Width", this->Filter->Width },
+    { "CellSize", this->Filter->CellSize } };
+  for (const auto& length : lengths)
+  {
+    if (!std::isfinite(length.second) || length.second < 0.0)
+    {
+      throw Failure{ BAD_REQUEST,
+        std::string(length.first) + " is " + std::to_string(length.second) +
+          "; set it to 0 or a positive length." };
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetBooleanFilter::Run::ReadInputs()
+{
+  const std::string notPoints = this->Input.Read(this->CloudData);
+  if (!notPoints.empty())
+  {
+    throw Failure{ NOT_POINTS, "Input " + notPoints };
+  }
+  if (!this->Input.Warning().empty())
+  {
+    this->Warn(BAD_NORMALS, this->Input.Warning());
+  }
+  if (!this->ToolData)
+  {
+    throw Failure{ NOT_A_SURFACE,
+      "There is no Tool; set it to the designed body (in ParaView: right-click the filter in the "
+      "Pipeline Browser, Change Input)." };
+  }
+  const std::string notSurface = this->Tool.Read(this->ToolData, this->Executor);
+  if (!notSurface.empty())
+  {
+    throw Failure{ NOT_A_SURFACE, "Tool " + notSurface };
+  }
+  if (this->Tool.Surface().Triangles.empty())
+  {
+    throw Failure{ NOT_A_SURFACE,
+      "Tool has no polygon, so it is no body; choose a closed surface as Tool and the scanned "
+      "points as Input." };
+  }
+  if (!this->Tool.Warning().empty())
+  {
+    this->Warn(INEXACT_TOOL, "Tool " + this->Tool.Warning());
+  }
+  if (this->Tool.WasInsideOut())
+  {
+    this->Warn(TOOL_TURNED,
+      "Tool has its normals inwards (its volume is negative), so it was turned over; apply Reverse "
+      "Sense to it to silence this.");
+  }
+  this->Times.push_back({ "Read inputs", this->Watch.Lap() });
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetBooleanFilter::Run::PrepareCloud()
+{
+  sb::CloudRequest request;
+  request.Points = this->Input.Points();
+  request.Normals = this->Input.Normals();
+  request.Count = this->Input.NumberOfPoints();
+  request.Width = this->Filter->Width;
+  request.Flip = this->Filter->FlipNormals != 0;
+  sbvtk::KernelMonitor monitor(this->Filter, 0.02, 0.3);
+  this->Cloud = sb::MakeCloudSurface(request, this->Executor, monitor);
+  const int status = sbvtk::StatusOf(this->Cloud.Status);
+  if (status != OK)
+  {
+    throw Failure{ status, sbvtk::RefusalOf(this->Cloud, request.Count) };
+  }
+  const auto doubtful =
+    std::count(this->Cloud.Doubtful.begin(), this->Cloud.Doubtful.end(), std::uint8_t(1));
+  const double share =
+    static_cast<double>(doubtful) / static_cast<double>(std::max<std::int64_t>(1, request.Count));
+  if (share > LargestShareOfDoubtful)
+  {
+    throw Failure{ DOUBTFUL_NORMALS,
+      std::to_string(std::lround(100.0 * share)) +
+        " % of the normals that were estimated for Input may be wrong, which is too much to know "
+        "its inside; give it normals that point outwards, or more points where it is thin or "
+        "sharp." };
+  }
+  if (!this->Cloud.Estimated && this->Cloud.NumberWithoutNormal > 0)
+  {
+    this->Warn(BAD_NORMALS,
+      std::to_string(this->Cloud.NumberWithoutNormal) +
+        " points of Input have a normal that is zero or not finite, and were left out; give them "
+        "one, or remove all normals to have them estimated.");
+  }
+  this->Times.push_back({ "Prepare cloud", this->Watch.Lap() });
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetBooleanFilter::Run::Compute()
+{
+  static_assert(static_cast<int>(sb::CloudOperation::ReverseDifference) == REVERSE_DIFFERENCE &&
+      static_cast<int>(sb::CloudOperation::Difference) == DIFFERENCE &&
+      static_cast<int>(sb::CloudOperation::Intersection) == INTERSECTION,
+    "the kernel's numbers of the operations are the filter's");
+  sb::CloudBooleanRequest request;
+  request.Cloud = &this->Cloud;
+  request.Tool = &this->Tool.Surface();
+  request.Op = static_cast<sb::CloudOperation>(this->Filter->Operation);
+  request.Cell = this->CellSize = this->Filter->CellSize > 0.0
+    ? this->Filter->CellSize
+    : sb::CellSizeFor(*this->Cloud.Surface, this->Cloud.Spacing);
+  request.WithNearestSamples = this->Input.Data()->GetPointData()->GetNumberOfArrays() > 0;
+  sbvtk::KernelMonitor monitor(this->Filter, 0.3, 0.95);
+  this->Result = sb::ComputeCloudBoolean(request, this->Executor, monitor);
+  this->Times.insert(this->Times.end(), this->Result.Times.begin(), this->Result.Times.end());
+  this->RefuseResult();
+  this->Watch.Lap();
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetBooleanFilter::Run::RefuseResult() const
+{
+  switch (this->Result.Status)
+  {
+    case sb::CloudBooleanStatus::Ok:
+      return;
+    case sb::CloudBooleanStatus::OpenTool:
+      throw Failure{ OPEN_TOOL, this->ToolSentence() };
+    case sb::CloudBooleanStatus::BadTool:
+      throw Failure{ BAD_TOOL, this->ToolSentence() };
+    case sb::CloudBooleanStatus::NoSurface:
+      throw Failure{ NO_SURFACE,
+        "The points of Input do not define a surface (they are too few, or too far from one "
+        "another, within Width); choose a larger Width, or look at Input with Point Set Surface." };
+    case sb::CloudBooleanStatus::InsideOut:
+      throw Failure{ INSIDE_OUT,
+        "The normals of Input do not point outwards everywhere, so its inside is outside; switch "
+        "on Flip Normals, or orient the normals of all parts outwards." };
+    case sb::CloudBooleanStatus::TooFine:
+      throw Failure{ TOO_FINE,
+        "The meshes would have too many triangles at a CellSize of " + Text(this->CellSize) +
+          "; choose a larger one." };
+    case sb::CloudBooleanStatus::TooLarge:
+      throw Failure{ TOO_LARGE, "The result would have more than 2147483647 points; divide it." };
+    case sb::CloudBooleanStatus::Aborted:
+      throw Failure{ ABORTED, "The filter was stopped." };
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPointSetBooleanFilter::Run::ToolSentence() const
+{
+  for (sb::Remark remark : this->Result.ToolRemarks)
+  {
+    const std::int64_t cell =
+      remark.Triangle >= 0 ? this->Tool.CellOfTriangle(remark.Triangle) : -1;
+    if (sb::IsError(remark.Condition))
+    {
+      return sbvtk::ConditionSentence(remark, "Tool", cell);
+    }
+    if (remark.Condition == sb::Status::OpenOperand)
+    {
+      const std::string where = cell >= 0 ? " at cell " + std::to_string(cell) : "";
+      return "Tool is not closed" + where +
+        ", so it is no solid; fill its holes, or choose a closed surface.";
+    }
+  }
+  return "Tool cannot be combined with the cloud; look at it with Surface Boolean.";
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetBooleanFilter::Run::Judge()
+{
+  this->JudgeOverlap();
+  this->JudgeScan();
+  if (this->Result.TangentShare > LargestShareOfTangent)
+  {
+    this->Warn(COINCIDENT,
+      "Along " + std::to_string(std::lround(100.0 * this->Result.TangentShare)) +
+        " % of the seam the cloud and Tool run nearly in one surface, where noise decides which of "
+        "them is in front; move Tool by more than " +
+        Text(2.0 * this->Result.Errors.Sum()) + ", or cut with a body that crosses the cloud.");
+  }
+  const bool off = this->Result.LargestResidual > LargestResidual * this->Cloud.Spacing;
+  if (off && this->Result.NumberOfBackedOff > 0)
+  {
+    this->Warn(SEAM_NOT_SNAPPED,
+      std::to_string(this->Result.NumberOfBackedOff) + " of " +
+        std::to_string(this->Result.NumberOfBackedOff + this->Result.NumberOfSnapped) +
+        " seam points could not be moved onto both surfaces without turning a triangle over, and "
+        "are off by up to " +
+        Text(this->Result.LargestResidual) + " (Residual); choose a smaller CellSize.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetBooleanFilter::Run::JudgeOverlap()
+{
+  if (!this->Result.Seam.Curves.empty())
+  {
+    return;
+  }
+  if (this->Result.Mesh.Triangles.empty())
+  {
+    this->Warn(NO_OVERLAP,
+      "The surfaces of the cloud and Tool do not meet, and nothing is left by this operation; move "
+      "Tool, or choose another Operation.");
+    return;
+  }
+  this->Warn(NO_OVERLAP,
+    "The surfaces of the cloud and Tool do not meet, so the result is whole surfaces of one or "
+    "both; move Tool if they should.");
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetBooleanFilter::Run::JudgeScan()
+{
+  if (!this->Result.ScanIsOpen)
+  {
+    return;
+  }
+  const std::string sure = " (smallest Confidence " + Text(this->Result.Confidence) + ")";
+  if (this->Result.Seam.NumberOfEnds > 0)
+  {
+    this->Warn(OPEN_SEAM,
+      "The border of the scan crosses Tool: the seam has " +
+        std::to_string(this->Result.Seam.NumberOfEnds) + " ends, and the result is open there" +
+        sure + "; scan more of the object, or move Tool to where the scan is complete.");
+  }
+  else
+  {
+    this->Warn(OPEN_SCAN,
+      "The scan is open, so what is inside of it was judged by its points" + sure +
+        ", and the result is open where the scan is; scan the missing part, or choose a larger "
+        "Width if the holes are small.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetBooleanFilter::Run::Warn(int status, const std::string& sentence)
+{
+  vtkWarningWithObjectMacro(this->Filter, << sentence);
+  if (this->Status == OK)
+  {
+    this->Status = status;
+    this->Message = sentence;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetBooleanFilter::Run::AddFields(int status, const std::string& message)
+{
+  using sbvtk::AddField;
+  if (this->CloudData)
+  {
+    this->Surface->GetFieldData()->PassData(this->CloudData->GetFieldData());
+  }
+  const auto addDouble = [this](const char* name, double value) {
+    AddField(this->Surface, name, value);
+  };
+  const auto addCount = [this](const char* name, std::int64_t value) {
+    AddField<vtkIdTypeArray>(
+      this->Surface, name, std::vector<vtkIdType>{ static_cast<vtkIdType>(value) });
+  };
+  const sb::CloudBooleanResult& result = this->Result;
+  AddField(this->Surface, "Status", status);
+  AddField(this->Surface, "Message", message);
+  addDouble("Spacing", this->Cloud.Spacing);
+  addDouble("Width", this->Cloud.Surface ? this->Cloud.Surface->Width() : 0.0);
+  addDouble("CellSize", this->CellSize);
+  addDouble("NoiseError", result.Errors.Noise);
+  addDouble("FacetError", result.Errors.Facet);
+  addDouble("SeamChordError", result.Errors.Chord);
+  addDouble("ToolError", result.Errors.Tool);
+  addDouble("ErrorBudget", result.Errors.Sum());
+  addDouble("SeamResidual", result.LargestResidual);
+  addCount("NumberOfSnappedPoints", result.NumberOfSnapped);
+  addCount("NumberOfBackedOffPoints", result.NumberOfBackedOff);
+  addCount("NumberOfFlippedTriangles", result.NumberOfFlipped);
+  addCount("NumberOfSelfIntersections", result.NumberOfCrossings);
+  addCount("NumberOfBorderEdges", result.NumberOfBorderEdges);
+  addCount("NumberOfSeamEnds", result.Seam.NumberOfEnds);
+  addCount("NumberOfSpecks", result.NumberOfSpecks);
+  addDouble("Confidence", result.Confidence);
+  addDouble("CloudVolume", result.CloudVolume);
+  addDouble("ToolVolume", result.ToolVolume);
+  addDouble("ResultVolume", result.Volume);
+  addDouble("ResultArea", result.Area);
+  sbvtk::AddStageFields(this->Surface, this->Times);
+  if (!result.FaceId.empty()) // an empty array would hide all field data in the window
+  {
+    sbvtk::AttachPatches(this->Surface, this->Tool.Surface().Patches);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkPointSetBooleanFilter::vtkPointSetBooleanFilter()
+  : Kept(new Cache)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+vtkPointSetBooleanFilter::~vtkPointSetBooleanFilter() = default;
+
+//------------------------------------------------------------------------------
+int vtkPointSetBooleanFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  // Any data object, and optional: others get a sentence of ours instead of the pipeline's.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSetBooleanFilter::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  sbvtk::UniteTimeSteps(inputs, this->GetNumberOfInputPorts(), outputs);
+  return this->Superclass::RequestInformation(request, inputs, outputs);
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSetBooleanFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  sbvtk::RunWithThreads(this->NumberOfThreads, [&] { Run(this, inputs, outputs).Execute(); });
+  this->SetAbortOutput(
+    false); // a run that was stopped says so in its field data, which the pipeline would clear
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkPointSetBooleanFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Operation: " << this->Operation << "\n";
+  os << indent << "CellSize: " << this->CellSize << "\n";
+  os << indent << "Width: " << this->Width << "\n";
+  os << indent << "FlipNormals: " << this->FlipNormals << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+}
