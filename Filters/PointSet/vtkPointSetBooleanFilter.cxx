@@ -12,6 +12,7 @@
 #include "FieldArrays.h"
 #include "KernelExecutor.h"
 #include "NURBSArrays.h"
+#include "PointSurfaceMesh.h"
 #include "Stopwatch.h"
 #include "TimeSteps.h"
 #include "vtkPointSetSurfaceFilter.h"
@@ -260,8 +261,9 @@ void vtkPointSetBooleanFilter::Run::Compute()
   request.Cloud = &this->Cloud;
   request.Tool = &this->Tool.Surface();
   request.Op = static_cast<sb::CloudOperation>(this->Filter->Operation);
-  request.Cell = this->CellSize =
-    this->Filter->CellSize > 0.0 ? this->Filter->CellSize : 2.0 * this->Cloud.Spacing;
+  request.Cell = this->CellSize = this->Filter->CellSize > 0.0
+    ? this->Filter->CellSize
+    : sb::CellSizeFor(*this->Cloud.Surface, this->Cloud.Spacing);
   request.WithNearestSamples = this->Input.Data()->GetPointData()->GetNumberOfArrays() > 0;
   sbvtk::KernelMonitor monitor(this->Filter, 0.3, 0.95);
   this->Result = sb::ComputeCloudBoolean(request, this->Executor, monitor);

@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # What `make bench` runs: installs the peers into bench-venv in the build directory, of which nothing else in the project
-# knows, and compares. PEERS=all adds the peers whose licences allow non-commercial use only. Arguments go to compare.py, compare_distances.py
-# and compare_points.py.
+# knows, and compares. PEERS=all adds the peers whose licences allow non-commercial use only. Arguments go to compare.py,
+# compare_distances.py and compare_points.py.
 set -eu
 
 here=$(dirname "$(readlink -f "$0")")

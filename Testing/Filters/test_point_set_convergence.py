@@ -1,0 +1,150 @@
+# SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Clouds of sphere, torus, cylinder and cone at three densities and three noises: sections, volumes and areas go to
+their analytic values, as fast as theory says.
+
+Noise sigma leaves sigma 5 / (3 sqrt(pi)) s / R on the surface, R = 2.2 h: at h = 3 s a seventh of it; averaged over a
+whole curve or surface next to nothing of that is left but -H sigma^2. A mesh of chords of length e lies inside by
+about k e^2 / 8.
+"""
+
+import numpy as np
+import pytest
+from vtkmodules.vtkCommonDataModel import vtkPlane
+
+import clouds
+import measures
+from booleans import arrays_of, heard_from, points_of
+from clouds import surface_of
+
+COUNTS = (2000, 8000, 32000)
+NOISES = (0.0, 0.2, 0.5)  # in spacings
+GAIN = 5 / (3 * np.sqrt(np.pi) * 2.2 * 3)
+
+
+def sphere(count, rng):
+    return clouds.sphere(count)
+
+
+def torus(count, rng):
+    return clouds.torus(count, rng)
+
+
+def cylinder(count, rng):
+    return clouds.cylinder(count, rng)
+
+
+def cone(count, rng):
+    """Between z = -0.6 and 0.4 of the cone of radius (1 - z) / 2 about z, evenly in the area."""
+    z = 1 - np.sqrt(rng.uniform(0.6**2, 1.6**2, count))
+    a = rng.uniform(0, 2 * np.pi, count)
+    normals = np.stack([2 * np.cos(a), 2 * np.sin(a), np.ones(count)], axis=1) / np.sqrt(5)
+    return np.stack([(1 - z) / 2 * np.cos(a), (1 - z) / 2 * np.sin(a), z], axis=1), normals
+
+
+# Maker, area, distance of points, and the circles of the section at height 0.1: their radii.
+SHAPES = {
+    "sphere": (sphere, 4 * np.pi, lambda x: np.linalg.norm(x, axis=1) - 1, [np.sqrt(0.99)]),
+    "torus": (
+        torus,
+        4 * np.pi**2 * 0.4,
+        clouds.distance_to_torus,
+        [1 - np.sqrt(0.15), 1 + np.sqrt(0.15)],
+    ),
+    "cylinder": (cylinder, 2 * np.pi, lambda x: np.hypot(x[:, 0], x[:, 1]) - 0.5, [0.5]),
+    "cone": (
+        cone,
+        np.pi * np.sqrt(1.25) / 2 * (1.6**2 - 0.6**2),
+        lambda x: (2 * np.hypot(x[:, 0], x[:, 1]) + x[:, 2] - 1) / np.sqrt(5),
+        [0.45],
+    ),
+}
+
+
+def section_at(points, normals, height, bound):
+    from surfacebooleans.vtk import vtkPointSetIntersectionFilter
+
+    tested, plane = vtkPointSetIntersectionFilter(), vtkPlane()
+    plane.SetOrigin(0, 0, height)
+    plane.SetNormal(0, 0, 1)
+    tested.SetPlane(plane)
+    tested.SetChordError(bound)
+    tested.SetInputDataObject(0, clouds.cloud(points, normals))
+    errors, _ = heard_from(tested)
+    assert not errors
+    return tested.GetOutput()
+
+
+@pytest.mark.parametrize("noise", NOISES)
+@pytest.mark.parametrize("name", SHAPES)
+def test_section_curves_converge(name, noise):
+    make, area, distance, radii = SHAPES[name]
+    for count in COUNTS:
+        rng = np.random.default_rng(count)
+        points, normals = make(count, rng)
+        spacing = np.sqrt(area / count)
+        noisy = points + noise * spacing * rng.normal(size=(count, 1)) * normals
+        bound = 0.01 * spacing
+        curves = section_at(noisy, normals, 0.1, bound)
+        cells, x = arrays_of(curves.GetCellData()), points_of(curves)
+        assert cells["Closed"].tolist() == [1] * len(radii)
+        assert cells["ChordError"].max() <= bound
+        # Position: what is left of the noise, and of the curvature under random samples.
+        off = distance(x) / spacing
+        assert np.sqrt(np.mean(off**2)) < 0.02 + 1.6 * GAIN * noise
+        # Length: of a wave of that height with the smoothing's length, less what chords cut off.
+        steepness = GAIN * noise / 2.0
+        for length, radius in zip(sorted(cells["Length"]), radii):
+            relative = 0.001 + 0.3 * spacing**2 + steepness**2 + 0.15 * noise * spacing / radius
+            assert length == pytest.approx(2 * np.pi * radius, rel=relative)
+
+
+@pytest.mark.parametrize("noise", NOISES)
+@pytest.mark.parametrize("name, volume", [("sphere", 4 * np.pi / 3), ("torus", 2 * np.pi**2 * 0.16)])
+def test_volume_and_area_converge(name, volume, noise):
+    make, area, _, _ = SHAPES[name]
+    errors = []
+    for count in COUNTS:
+        rng = np.random.default_rng(count)
+        points, normals = make(count, rng)
+        spacing = np.sqrt(area / count)
+        noisy = points + noise * spacing * rng.normal(size=(count, 1)) * normals
+        result = surface_of(noisy, normals, GenerateSurface=True, ComputeCurvatures=False)
+        assert measures.is_closed(result.mesh)
+        errors.append((1 - measures.volume(result.mesh) / volume, 1 - measures.area(result.mesh) / area))
+    errors = np.array(errors)
+    if noise == 0:  # chords alone: second order in the spacing
+        assert np.abs(np.log2(errors[:-1] / errors[1:]) - 2).max() < 0.35
+    else:
+        assert np.abs(errors[-1, 0]) < np.abs(errors[0, 0]) / 8 and np.abs(errors[-1, 0]) < 4e-3
+        # What is left of the noise is as steep at every density, and adds its share to the area.
+        assert np.abs(errors[-1, 1]) < 2e-3 + (GAIN * noise) ** 2
+
+
+@pytest.mark.parametrize("noise", NOISES)
+@pytest.mark.parametrize("name", ["cylinder", "cone"])
+def test_open_shapes_keep_their_area_away_from_the_rims(name, noise):
+    make, area, distance, _ = SHAPES[name]
+    for count in COUNTS[1:]:
+        rng = np.random.default_rng(count)
+        points, normals = make(count, rng)
+        spacing = np.sqrt(area / count)
+        noisy = points + noise * spacing * rng.normal(size=(count, 1)) * normals
+        result = surface_of(noisy, normals, GenerateSurface=True, ComputeCurvatures=False)
+        inner = np.abs(result.mesh.points[:, 2] + (0.1 if name == "cone" else 0)) < 0.3
+        off = distance(result.mesh.points[inner]) / spacing
+        assert np.sqrt(np.mean(off**2)) < 0.02 + 1.4 * GAIN * noise
+        assert abs(off.mean()) < 0.01 + 0.04 * noise
+        assert result.number("NumberOfBorderEdges") > 0
+
+
+@pytest.mark.parametrize("widths", [2.5, 3, 6])
+@pytest.mark.parametrize("count", COUNTS)
+def test_random_spheres_have_no_bias_at_any_width(count, widths):
+    normals = np.random.default_rng(count).normal(size=(count, 3))
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    spacing = np.sqrt(4 * np.pi / count)
+    result = surface_of(5 * normals, normals, Width=5 * widths * spacing, ComputeCurvatures=False)
+    assert (result.arrays["Validity"] == 0).mean() > 0.99
+    valid = result.arrays["Validity"] == 0
+    assert np.abs(np.linalg.norm(result.points[valid], axis=1) / 5 - 1).max() < 1e-12
