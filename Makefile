@@ -18,7 +18,7 @@ build: dependencies
 	@echo "Built. To use it: . $(BUILD)/env.sh && pvpython script.py, or: make gui"
 
 test: build
-	@ctest --test-dir $(BUILD) --output-on-failure \
+	@ctest --test-dir $(BUILD) -j $(JOBS) --output-on-failure \
 	  && echo "PASSED: all tests." || { echo "FAILED: see the tests listed above."; exit 1; }
 
 demo: build
