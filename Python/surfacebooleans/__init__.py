@@ -27,13 +27,14 @@ from surfacebooleans.point_sets import (  # noqa: E402
     point_set_points,
     point_set_surface,
 )
-from surfacebooleans.surfaces import boolean, distance, distance_field, intersection, split  # noqa: E402
+from surfacebooleans.surfaces import boolean, check, distance, distance_field, intersection, split  # noqa: E402
 
 __all__ = [
     "FileError",
     "SurfaceBooleansError",
     "SurfaceBooleansWarning",
     "boolean",
+    "check",
     "clip",
     "cut",
     "distance",

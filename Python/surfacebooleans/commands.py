@@ -16,7 +16,7 @@ from surfacebooleans.point_sets import (
     point_set_points,
     point_set_surface,
 )
-from surfacebooleans.surfaces import boolean, distance, distance_field, intersection, split
+from surfacebooleans.surfaces import boolean, check, distance, distance_field, intersection, split
 
 
 @dataclass
@@ -135,6 +135,16 @@ def _field(arguments, meshes, common):
     names = ("dimensions", "spacing", "margin", "band")
     sampling = {name: getattr(arguments, name) for name in names}
     return {arguments.output: distance_field(meshes[0], **sampling, **_signs(arguments), **common)}
+
+
+def _check_arguments(parser):
+    parser.add_argument("--defects", metavar="FILE", help="write the edges and points where something is wrong, too")
+    parser.add_argument("--no-self-intersections", action="store_true", help="do not look for these, which saves time")
+
+
+def _check(arguments, meshes, common):
+    surface, defects = check(meshes[0], self_intersections=not arguments.no_self_intersections, **common)
+    return {arguments.output: surface, arguments.defects: defects} if arguments.defects else {arguments.output: surface}
 
 
 # ---- planes ------------------------------------------------------------------------------------
@@ -385,6 +395,15 @@ COMMANDS = (
         "1",
         _field,
         _field_arguments,
+    ),
+    Command(
+        "check",
+        "what is wrong with a surface, and where",
+        "The surface with marks where it is open, crosses itself or is otherwise unfit for a Boolean. The report has "
+        "the verdict, what cures it, and all counts.",
+        "1",
+        _check,
+        _check_arguments,
     ),
     Command(
         "clip",

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Recipes for surfaces: Booleans, intersection curves and distances."""
+"""Recipes for surfaces: Booleans, intersection curves, distances, and what is wrong with one."""
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from surfacebooleans.vtk import (
     vtkPolyDataDistance,
     vtkPolyDataDistanceField,
     vtkPolyDataIntersection,
+    vtkPolyDataSurfaceCheck,
 )
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -294,6 +295,41 @@ def distance_field(
     algorithm.SetInputDataObject(0, as_surface(a))
     update(algorithm, progress)
     return result(algorithm.GetOutputDataObject(0), a)
+
+
+def check(a, *, self_intersections=True, threads=0, progress=False):
+    """What is wrong with a surface before a Boolean, and where.
+
+    Parameters
+    ----------
+    a : mesh
+        The surface; it may be open, damaged or inside out.
+    self_intersections : bool, optional
+        Whether to look for triangles that run through each other, which takes longer than all the rest.
+    threads, progress
+        As in `boolean`.
+
+    Returns
+    -------
+    surface : mesh
+        The surface with marks to colour by, such as the cell array ``Defect``. Of its field data (`fields_of`)
+        ``Verdict`` is a paragraph that says what is wrong and what cures it, ``Fit`` is 1 if `boolean` takes it as a
+        solid without a warning; the counts end in ``Count``. For `(points, faces)` there are the triangles alone.
+    defects : mesh
+        The edges and points where something is wrong, with the cell array ``Defect``; for `(points, faces)` a list of
+        arrays of shape (k, 3).
+
+    Raises
+    ------
+    SurfaceBooleansError
+        If `a` is no surface.
+    """
+    algorithm = configure(
+        vtkPolyDataSurfaceCheck(), SelfIntersections=self_intersections, NumberOfThreads=threads
+    )
+    algorithm.SetInputDataObject(0, as_surface(a))
+    update(algorithm, progress)
+    return result(algorithm.GetOutputDataObject(0), a), result(algorithm.GetOutputDataObject(1), a, lines=True)
 
 
 def number_of(word, words, what):

@@ -233,6 +233,25 @@ def test_the_field_covers_the_surface():
     assert sb.distance_field(vtk(BOX), dimensions=(4, 5, 6)).GetDimensions() == (4, 5, 6)
 
 
+# ---- checks ------------------------------------------------------------------------------------
+
+
+def test_a_check_finds_a_missing_triangle():
+    body = meshes.icosphere(1)
+    marked, defects = sb.check(vtk(body))
+    assert sb.fields_of(marked)["Fit"] == 1 and defects.GetNumberOfCells() == 0
+    holed = meshes.mesh(body.points, np.delete(body.triangles, 3, 0))
+    marked, defects = sb.check(vtk(holed))
+    assert sb.fields_of(marked)["Fit"] == 0 and "open" in sb.fields_of(marked)["Verdict"]
+    assert defects.GetNumberOfLines() == 3
+    assert set(map(tuple, vtk_to_numpy(defects.GetPoints().GetData()))) == set(
+        map(tuple, body.points[body.triangles[3]])
+    )
+    crossing = meshes.joined(body, meshes.moved(body, (0.3, 0.2, 0.1)))
+    assert sb.fields_of(sb.check(vtk(crossing))[0])["SelfIntersectionCount"] > 0
+    assert sb.fields_of(sb.check(vtk(crossing), self_intersections=False)[0])["SelfIntersectionCount"] == -1
+
+
 # ---- planes ------------------------------------------------------------------------------------
 
 
