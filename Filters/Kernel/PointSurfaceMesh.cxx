@@ -220,6 +220,8 @@ private:
           static_cast<std::int32_t>(from[2] / this->Edge) };
       }
     });
+    // In the order of the tree many that follow each other are in the same one.
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     SortUnique(cells, this->Threads);
     return cells;
   }
@@ -294,40 +296,35 @@ private:
 
   void EvaluateNodes(const std::vector<Cell>& wave)
   {
-    std::vector<Cell> nodes;
+    const std::size_t first = this->Nodes.size();
     for (const Cell& cell : wave)
     {
+      this->Numbers.Reserve(this->Nodes.size() + 8);
       for (int corner = 0; corner < 8; ++corner)
       {
-        if (this->Numbers.Find(cell.Corner(corner)) < 0)
+        const Cell node = cell.Corner(corner);
+        if (this->Numbers.Find(node) < 0)
         {
-          nodes.push_back(cell.Corner(corner));
+          this->Numbers.Insert(node, static_cast<std::int32_t>(this->Nodes.size()));
+          this->Nodes.push_back(node);
         }
       }
     }
-    SortUnique(nodes, this->Threads);
-    const std::size_t first = this->Nodes.size();
-    this->Nodes.insert(this->Nodes.end(), nodes.begin(), nodes.end());
     if (this->Nodes.size() > std::size_t(1) << 30)
     {
       this->Mesh.End = PointSurfaceMesh::Ending::TooFine;
     }
     this->Values.resize(this->Nodes.size(), 0.0);
     this->Known.resize(this->Nodes.size(), 0);
-    this->Numbers.Reserve(this->Nodes.size());
-    for (std::size_t node = first; node < this->Nodes.size(); ++node)
-    {
-      this->Numbers.Insert(this->Nodes[node], static_cast<std::int32_t>(node));
-    }
-    this->Threads.For(
-      static_cast<std::int64_t>(nodes.size()), Grain, [&](std::int64_t begin, std::int64_t end) {
+    this->Threads.For(static_cast<std::int64_t>(this->Nodes.size() - first), Grain,
+      [&](std::int64_t begin, std::int64_t end) {
         MovingLeastSquares::Neighbourhood near;
-        for (std::size_t i = static_cast<std::size_t>(begin);
-             i < static_cast<std::size_t>(end) && !this->Watch.Aborted(); ++i)
+        for (std::size_t i = first + static_cast<std::size_t>(begin);
+             i < first + static_cast<std::size_t>(end) && !this->Watch.Aborted(); ++i)
         {
-          const SurfaceValue f = this->Surface.EvaluateAt(this->Place(nodes[i]), 0, near);
-          this->Values[first + i] = f.Value;
-          this->Known[first + i] = f.IsNear ? 1 : 0;
+          const SurfaceValue f = this->Surface.EvaluateAt(this->Place(this->Nodes[i]), 0, near);
+          this->Values[i] = f.Value;
+          this->Known[i] = f.IsNear ? 1 : 0;
         }
       });
   }
