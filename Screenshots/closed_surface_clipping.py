@@ -11,19 +11,9 @@ import pathlib
 import sys
 
 import numpy as np
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the renderer)
 from surfacebooleans.vtk import vtkPolyDataClipClosedSurface
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkOutlineSource
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkLightKit,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkWindowToImageFilter,
-)
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent / "Testing" / "Filters")]
@@ -32,10 +22,10 @@ import meshes  # noqa: E402
 from booleans import polydata  # noqa: E402
 from clips import plane_collection  # noqa: E402
 from gifti import read_gifti  # noqa: E402
+from offscreen import INK, actor_of, color_cells, look, save, side_by_side, white_room  # noqa: E402
 
 CELL = 560  # pixels
 BASE, CLIP, ACTIVE = (0.36, 0.56, 0.86), (0.95, 0.60, 0.20), (0.98, 0.85, 0.30)
-INK = (0.12, 0.14, 0.18)
 
 
 def clipped(data, planes, **settings):
@@ -54,19 +44,13 @@ def clipped(data, planes, **settings):
 
 def actor(data, smooth=True):
     """Coloured by the array Colors; shaded smoothly but for creases."""
-    mapper = vtkPolyDataMapper()
     if smooth:
         normals = vtkPolyDataNormals()
         normals.SetInputData(data)
         normals.SetFeatureAngle(40)
-        mapper.SetInputConnection(normals.GetOutputPort())
-    else:
-        mapper.SetInputData(data)
-    mapper.SetScalarModeToUseCellFieldData()
-    mapper.SelectColorArray("Colors")
-    mapper.SetColorModeToDirectScalars()
-    result = vtkActor()
-    result.SetMapper(mapper)
+        data = normals
+    result = actor_of(data)
+    color_cells(result, "Colors")
     result.GetProperty().SetAmbient(0.25)
     result.GetProperty().SetDiffuse(0.85)
     result.GetProperty().SetSpecular(0.1)
@@ -124,43 +108,16 @@ def triangles():
     return [result], (0.5, -0.9, 2.4)
 
 
-def renderer(actors, direction, place):
-    result = vtkRenderer()
-    result.SetBackground(1, 1, 1)
-    for each in actors:
-        result.AddActor(each)
-    light = vtkLightKit()
-    light.AddLightsToRenderer(result)
-    camera = result.GetActiveCamera()
-    camera.SetPosition(direction)
-    camera.SetFocalPoint(0, 0, 0)
-    camera.SetViewUp(0, 0, 1)
-    camera.ParallelProjectionOff()
-    result.ResetCamera()
-    camera.Zoom(0.97)
-    result.ResetCameraClippingRange()
-    x, y = place
-    result.SetViewport(x / 2, y / 2, (x + 1) / 2, (y + 1) / 2)
+def room(actors, direction):
+    result = white_room(actors)
+    look(result, direction, zoom=0.97)
     return result
 
 
 def main():
-    folder = pathlib.Path(sys.argv[1])
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(8)
-    window.SetSize(2 * CELL, 2 * CELL)
-    pictures = (colors(), brain(folder), cube(), triangles())
-    for picture, place in zip(pictures, ((0, 1), (1, 1), (0, 0), (1, 0))):
-        window.AddRenderer(renderer(*picture, place))
-    window.Render()
-    grab = vtkWindowToImageFilter()
-    grab.SetInput(window)
-    grab.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetFileName(str(HERE / "closed_surface_clipping.png"))
-    writer.SetInputConnection(grab.GetOutputPort())
-    writer.Write()
+    pictures = (colors(), brain(pathlib.Path(sys.argv[1])), cube(), triangles())
+    rooms = side_by_side([room(*picture) for picture in pictures], columns=2)
+    save(HERE / "closed_surface_clipping.png", rooms, (2 * CELL, 2 * CELL))
 
 
 if __name__ == "__main__":

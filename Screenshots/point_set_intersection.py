@@ -12,7 +12,6 @@ import pathlib
 import tarfile
 
 import numpy as np
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the renderer)
 from surfacebooleans.vtk import vtkNURBSReader, vtkPointSetIntersectionFilter
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -21,15 +20,7 @@ from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkGlyph3D, vtkTubeFilter
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkLightKit,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkWindowToImageFilter,
-)
+from offscreen import actor_of, look, save, white_room
 
 HERE = pathlib.Path(__file__).resolve().parent
 CGAL_DATA = "/usr/share/doc/libcgal-dev/data.tar.gz"
@@ -67,16 +58,6 @@ def screw():
     return moved
 
 
-def actor(source, colour):
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(source.GetOutputPort())
-    mapper.ScalarVisibilityOff()
-    drawn = vtkActor()
-    drawn.SetMapper(mapper)
-    drawn.GetProperty().SetColor(colour)
-    return drawn
-
-
 def balls(cloud, size):
     ball = vtkSphereSource()
     ball.SetRadius(size)
@@ -100,42 +81,15 @@ def scene():
     tube.SetInputConnection(meeting.GetOutputPort())
     tube.SetRadius(0.008 * cloud.GetLength())
     tube.SetNumberOfSides(16)
-    renderer = vtkRenderer()
-    renderer.SetBackground(1, 1, 1)
-    renderer.AddActor(actor(balls(cloud, 0.006 * cloud.GetLength()), SCAN))
-    solid = actor(body, BODY)
+    scan = actor_of(balls(cloud, 0.006 * cloud.GetLength()), SCAN)
+    solid = actor_of(body, BODY)
     solid.GetProperty().SetSpecular(0.3)
-    renderer.AddActor(solid)
-    line = actor(tube, CURVES)
+    line = actor_of(tube, CURVES)
     line.GetProperty().SetAmbient(0.4)
-    renderer.AddActor(line)
-    vtkLightKit().AddLightsToRenderer(renderer)
-    return renderer, cloud
-
-
-def main(path):
-    renderer, cloud = scene()
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetMultiSamples(8)
-    window.SetSize(1000, 900)
-    window.AddRenderer(renderer)
-    camera = renderer.GetActiveCamera()
-    camera.SetFocalPoint(*cloud.GetCenter())
-    camera.SetPosition(*(np.array(cloud.GetCenter()) + [0.9, 0.5, 3.0]))
-    camera.SetViewUp(0, 1, 0)
-    renderer.ResetCamera()
-    camera.Zoom(1.25)
-    renderer.ResetCameraClippingRange()
-    window.Render()
-    image = vtkWindowToImageFilter()
-    image.SetInput(window)
-    image.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetInputConnection(image.GetOutputPort())
-    writer.SetFileName(str(path))
-    writer.Write()
+    room = white_room((scan, solid, line))
+    look(room, (0.9, 0.5, 3.0), up=(0, 1, 0), zoom=1.25)
+    return room
 
 
 if __name__ == "__main__":
-    main(HERE / "point_set_intersection.png")
+    save(HERE / "point_set_intersection.png", [scene()], (1000, 900))

@@ -10,22 +10,13 @@ white is the intersection of the two surfaces. Thin lines are the cone's triangl
 
 import pathlib
 
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the renderer)
 from surfacebooleans.vtk import vtkPolyDataDistance, vtkPolyDataIntersection
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkStripper, vtkTriangleFilter, vtkTubeFilter
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
 from vtkmodules.vtkFiltersSources import vtkConeSource, vtkCylinderSource
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkLightKit,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkWindowToImageFilter,
-)
+from offscreen import actor_of, look_parallel, save, white_room
 
 HERE = pathlib.Path(__file__).resolve().parent
 BODY, OTHER, BLACK, WHITE = (0.42, 0.58, 0.80), (0.85, 0.45, 0.35), (0.05, 0.05, 0.05), (1.0, 1.0, 1.0)
@@ -54,16 +45,6 @@ def cylinder():
     return moved
 
 
-def actor(source, colour, port=0):
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(source.GetOutputPort(port))
-    mapper.ScalarVisibilityOff()
-    drawn = vtkActor()
-    drawn.SetMapper(mapper)
-    drawn.GetProperty().SetColor(colour)
-    return drawn
-
-
 def line(source, colour):
     joined = vtkStripper()
     joined.SetInputConnection(source.GetOutputPort())
@@ -71,7 +52,7 @@ def line(source, colour):
     tube.SetInputConnection(joined.GetOutputPort())
     tube.SetRadius(0.007)
     tube.SetNumberOfSides(24)
-    drawn = actor(tube, colour)
+    drawn = actor_of(tube, colour)
     drawn.GetProperty().SetAmbient(0.6)
     return drawn
 
@@ -89,45 +70,15 @@ def scene():
     meeting.SetInputConnection(0, first.GetOutputPort())
     meeting.SetInputConnection(1, second.GetOutputPort())
 
-    renderer = vtkRenderer()
-    renderer.SetBackground(1, 1, 1)
-    body = actor(first, BODY)
+    body = actor_of(first, BODY)
     body.GetProperty().EdgeVisibilityOn()
     body.GetProperty().SetEdgeColor(0.66, 0.77, 0.92)
-    renderer.AddActor(body)
-    tool = actor(second, OTHER)
+    tool = actor_of(second, OTHER)
     tool.GetProperty().SetOpacity(0.25)
-    renderer.AddActor(tool)
-    renderer.AddActor(line(zero, BLACK))
-    renderer.AddActor(line(meeting, WHITE))
-    kit = vtkLightKit()
-    kit.SetKeyLightIntensity(0.8)
-    kit.AddLightsToRenderer(renderer)
-    camera = renderer.GetActiveCamera()
-    camera.SetFocalPoint(0.06, 0, -0.12)
-    camera.SetPosition(0.5, -4.0, 1.3)
-    camera.SetViewUp(0, 0, 1)
-    camera.ParallelProjectionOn()
-    camera.SetParallelScale(0.66)
-    renderer.ResetCameraClippingRange()
-    return renderer
-
-
-def main(path):
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetMultiSamples(8)
-    window.SetSize(1000, 900)
-    window.AddRenderer(scene())
-    window.Render()
-    grab = vtkWindowToImageFilter()
-    grab.SetInput(window)
-    grab.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetFileName(str(path))
-    writer.SetInputConnection(grab.GetOutputPort())
-    writer.Write()
+    room = white_room((body, tool, line(zero, BLACK), line(meeting, WHITE)), key_light=0.8)
+    look_parallel(room, position=(0.5, -4.0, 1.3), center=(0.06, 0, -0.12), up=(0, 0, 1), scale=0.66)
+    return room
 
 
 if __name__ == "__main__":
-    main(HERE / "quammen-2011-figure-1.png")
+    save(HERE / "quammen-2011-figure-1.png", [scene()], (1000, 900))

@@ -12,22 +12,13 @@ curve crosses an edge of the box, and the filter made two points, with the inter
 import pathlib
 
 import numpy as np
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the renderer)
 from surfacebooleans.vtk import vtkPolyDataIntersection
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkGlyph3D, vtkTubeFilter
 from vtkmodules.vtkFiltersSources import vtkArrowSource, vtkCubeSource
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkLightKit,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkWindowToImageFilter,
-)
+from offscreen import actor_of, draw_in_front, look_parallel, save, white_room
 
 HERE = pathlib.Path(__file__).resolve().parent
 GRAY, GREEN, ORANGE, INK = (0.72, 0.74, 0.77), (0.10, 0.62, 0.25), (0.93, 0.49, 0.10), (0.15, 0.17, 0.20)
@@ -41,26 +32,15 @@ def box(center):
     return source.GetOutput()
 
 
-def actor(connection, colour, lit=True, width=1.0):
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(connection)
-    mapper.ScalarVisibilityOff()
-    drawn = vtkActor()
-    drawn.SetMapper(mapper)
-    drawn.GetProperty().SetColor(colour)
-    drawn.GetProperty().SetLineWidth(width)
-    drawn.GetProperty().SetLighting(lit)
-    return drawn
-
-
-def outline(surface, width):
+def outline(surface):
     creases = vtkFeatureEdges()
     creases.SetInputData(surface)
     creases.SetFeatureAngle(30)
     creases.ColoringOff()
-    drawn = actor(creases.GetOutputPort(), INK, False, width)
-    drawn.GetMapper().SetResolveCoincidentTopologyToPolygonOffset()
-    drawn.GetMapper().SetRelativeCoincidentTopologyLineOffsetParameters(0, -6)
+    drawn = actor_of(creases, INK)
+    drawn.GetProperty().SetLineWidth(2)
+    drawn.GetProperty().LightingOff()
+    draw_in_front(drawn)
     return drawn
 
 
@@ -80,7 +60,7 @@ def arrows(split, chosen, colour):
     glyphs.SetVectorModeToUseNormal()
     glyphs.SetScaleModeToDataScalingOff()
     glyphs.SetScaleFactor(0.26)
-    return actor(glyphs.GetOutputPort(), colour)
+    return actor_of(glyphs, colour)
 
 
 def scene():
@@ -95,54 +75,18 @@ def scene():
     _, place, count = np.unique(points, axis=0, return_inverse=True, return_counts=True)
     doubled = count[place.reshape(-1)] > 1
 
-    renderer = vtkRenderer()
-    renderer.SetBackground(1, 1, 1)
-    surface = vtkPolyDataMapper()
-    surface.SetInputData(split)
-    surface.ScalarVisibilityOff()
-    body = vtkActor()
-    body.SetMapper(surface)
-    body.GetProperty().SetColor(GRAY)
+    body = actor_of(split, GRAY)
     body.GetProperty().EdgeVisibilityOn()
     body.GetProperty().SetEdgeColor(0.55, 0.57, 0.60)
-    renderer.AddActor(body)
-    renderer.AddActor(outline(front, 2.0))
-    renderer.AddActor(outline(back, 2.0))
     tube = vtkTubeFilter()
     tube.SetInputConnection(cut.GetOutputPort(0))
     tube.SetRadius(0.011)
     tube.SetNumberOfSides(24)
-    renderer.AddActor(actor(tube.GetOutputPort(), GREEN))
-    renderer.AddActor(arrows(split, doubled & ~on_curve, GRAY))
-    renderer.AddActor(arrows(split, doubled & on_curve, ORANGE))
-    kit = vtkLightKit()
-    kit.SetKeyLightIntensity(0.9)
-    kit.AddLightsToRenderer(renderer)
-    camera = renderer.GetActiveCamera()
-    camera.SetFocalPoint(0.25, 0.16, -0.15)
-    camera.SetPosition(4.4, 2.96, 3.6)
-    camera.SetViewUp(0, 1, 0)
-    camera.ParallelProjectionOn()
-    camera.SetParallelScale(1.2)
-    renderer.ResetCameraClippingRange()
-    return renderer
-
-
-def main(path):
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetMultiSamples(8)
-    window.SetSize(1000, 900)
-    window.AddRenderer(scene())
-    window.Render()
-    grab = vtkWindowToImageFilter()
-    grab.SetInput(window)
-    grab.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetFileName(str(path))
-    writer.SetInputConnection(grab.GetOutputPort())
-    writer.Write()
+    normals = (arrows(split, doubled & ~on_curve, GRAY), arrows(split, doubled & on_curve, ORANGE))
+    room = white_room((body, outline(front), outline(back), actor_of(tube, GREEN), *normals), key_light=0.9)
+    look_parallel(room, position=(4.4, 2.96, 3.6), center=(0.25, 0.16, -0.15), up=(0, 1, 0), scale=1.2)
+    return room
 
 
 if __name__ == "__main__":
-    main(HERE / "quammen-2011-figure-2.png")
+    save(HERE / "quammen-2011-figure-2.png", [scene()], (1000, 900))

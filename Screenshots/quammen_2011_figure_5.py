@@ -10,30 +10,20 @@ The solids are those that Testing/Filters/test_figure5.py measures, with facets 
 import pathlib
 import sys
 
-import vtkmodules.vtkRenderingFreeType  # noqa: F401  (the labels' fonts)
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the renderer)
+import numpy as np
 from surfacebooleans.vtk import vtkPolyDataBooleanOperationFilter
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataNormals
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkLightKit,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkTextActor,
-    vtkWindowToImageFilter,
-)
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent / "Testing" / "Filters"))
+sys.path[:0] = [str(HERE), str(HERE.parent / "Testing" / "Filters")]
 
 from booleans import polydata  # noqa: E402
 from meshes import figure_5_pairs  # noqa: E402
+from offscreen import INK, actor_of, draw_in_front, look_parallel, save, text, white_room  # noqa: E402
 
 OPERATIONS = ("Union", "Intersection", "Difference")
-BLUE, RED, INK = (0.25, 0.48, 0.88), (0.90, 0.28, 0.23), (0.15, 0.17, 0.20)
+BLUE, RED = (0.25, 0.48, 0.88), (0.90, 0.28, 0.23)
 CELL, MARGIN = 360, 44  # pixels: one picture, the strip of labels
 
 
@@ -55,114 +45,71 @@ def surface_actor(source):
     colours.SetTableRange(0, 1)
     colours.SetTableValue(0, *BLUE)
     colours.SetTableValue(1, *RED)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(normals.GetOutputPort())
+    actor = actor_of(normals)
+    mapper = actor.GetMapper()
     mapper.SetScalarModeToUseCellFieldData()
     mapper.SelectColorArray("SourceId")
     mapper.SetLookupTable(colours)
     mapper.UseLookupTableScalarRangeOn()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
     actor.GetProperty().SetSpecular(0.15)
     actor.GetProperty().SetSpecularPower(30)
     return actor
 
 
-def line_actor(connection, width):
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(connection)
-    mapper.ScalarVisibilityOff()
-    mapper.SetResolveCoincidentTopologyToPolygonOffset()
-    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -6)
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(INK)
-    actor.GetProperty().SetLineWidth(width)
-    actor.GetProperty().LightingOff()
-    return actor
-
-
-def picture(pair, operation, viewport):
-    source = result_of(*pair, operation)
-    renderer = vtkRenderer()
-    renderer.SetViewport(*viewport)
-    renderer.SetBackground(1, 1, 1)
-    renderer.AddActor(surface_actor(source))
+def crease_actor(source):
     creases = vtkFeatureEdges()
     creases.SetInputConnection(source.GetOutputPort(0))
     creases.BoundaryEdgesOff()
     creases.NonManifoldEdgesOff()
     creases.ManifoldEdgesOff()
     creases.SetFeatureAngle(25)
-    renderer.AddActor(line_actor(creases.GetOutputPort(), 2.0))
-    kit = vtkLightKit()
-    kit.SetKeyLightIntensity(0.88)
-    kit.SetKeyToFillRatio(1.6)
-    kit.SetKeyToHeadRatio(1.4)
-    kit.AddLightsToRenderer(renderer)
-    look(renderer, pair)
-    return renderer
+    actor = actor_of(creases, INK)
+    actor.GetProperty().SetLineWidth(2)
+    actor.GetProperty().LightingOff()
+    draw_in_front(actor)
+    return actor
 
 
-def look(renderer, pair):
+def picture(pair, operation, viewport):
+    source = result_of(*pair, operation)
+    room = white_room((surface_actor(source), crease_actor(source)), key_light=0.88, contrast=1.5)
+    room.SetViewport(*viewport)
+    aim(room, pair)
+    return room
+
+
+def aim(room, pair):
     """The same eye for the three results of a pair, at its union's centre."""
-    points = [body.points for body in pair]
-    lower = [min(p[:, k].min() for p in points) for k in range(3)]
-    upper = [max(p[:, k].max() for p in points) for k in range(3)]
-    center = [(a + b) / 2 for a, b in zip(lower, upper)]
-    radius = sum((b - a) ** 2 for a, b in zip(lower, upper)) ** 0.5 / 2
-    camera = renderer.GetActiveCamera()
-    camera.SetFocalPoint(*center)
-    camera.SetPosition(center[0] + 2.6, center[1] - 2.1, center[2] + 1.9)
-    camera.SetViewUp(0, 0, 1)
-    camera.ParallelProjectionOn()
-    camera.SetParallelScale(1.02 * radius)
-    renderer.ResetCameraClippingRange()
+    points = np.concatenate([body.points for body in pair])
+    lower, upper = points.min(axis=0), points.max(axis=0)
+    center = (lower + upper) / 2
+    radius = np.linalg.norm(upper - lower) / 2
+    look_parallel(room, center + [2.6, -2.1, 1.9], center, up=(0, 0, 1), scale=1.02 * radius)
 
 
-def label(renderer, text, x, y, turned=False):
-    actor = vtkTextActor()
-    actor.SetInput(text)
+def label(words, x, y, turned=False):
+    actor = text(words, x, y, size=22)
     style = actor.GetTextProperty()
-    style.SetFontSize(22)
-    style.SetColor(INK)
     style.SetJustificationToCentered()
     style.SetVerticalJustificationToCentered()
     style.SetOrientation(90 if turned else 0)
-    actor.SetPosition(x, y)
-    renderer.AddViewProp(actor)
+    return actor
 
 
 def main(path):
     pairs = figure_5_pairs(fine=3)
     width, height = MARGIN + CELL * len(pairs), MARGIN + CELL * len(OPERATIONS)
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetMultiSamples(8)
-    window.SetSize(width, height)
-    window.SetNumberOfLayers(2)
-    labels = vtkRenderer()
-    labels.SetBackground(1, 1, 1)
-    window.AddRenderer(labels)
+    labels, pictures = [], []
     for row, operation in enumerate(OPERATIONS):
         bottom = CELL * (len(OPERATIONS) - 1 - row)
-        label(labels, operation.lower(), MARGIN / 2, bottom + CELL / 2, turned=True)
+        labels.append(label(operation.lower(), MARGIN / 2, bottom + CELL / 2, turned=True))
         for column, pair in enumerate(pairs.values()):
             left = MARGIN + CELL * column
             box = (left / width, bottom / height, (left + CELL) / width, (bottom + CELL) / height)
-            window.AddRenderer(picture(pair, operation, box))
+            pictures.append(picture(pair, operation, box))
     for column, name in enumerate(pairs):
-        label(
-            labels, name.replace("-", " and "), MARGIN + CELL * (column + 0.5), height - MARGIN / 2
-        )
-    window.Render()
-    grab = vtkWindowToImageFilter()
-    grab.SetInput(window)
-    grab.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetFileName(str(path))
-    writer.SetInputConnection(grab.GetOutputPort())
-    writer.Write()
+        labels.append(label(name.replace("-", " and "), MARGIN + CELL * (column + 0.5), height - MARGIN / 2))
+    save(path, [white_room(labels), *pictures], (width, height))
 
 
 if __name__ == "__main__":

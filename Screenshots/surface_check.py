@@ -9,29 +9,18 @@ import pathlib
 import sys
 
 import numpy as np
-import vtkmodules.vtkRenderingFreeType  # noqa: F401  (the words)
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the renderer)
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkLightKit,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkTextActor,
-    vtkWindowToImageFilter,
-)
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE.parent / "Testing" / "Filters")]
+sys.path[:0] = [str(HERE), str(HERE.parent / "Testing" / "Filters")]
 
 import meshes  # noqa: E402
 from checks import BOUNDARY, SELF, TOUCHING, check  # noqa: E402
+from offscreen import actor_of, color_cells, draw_in_front, look, save, side_by_side, text, white_room  # noqa: E402
 
 WIDTH, HEIGHT = 620, 560  # pixels of each half
-SKIN, INK = (0.66, 0.76, 0.9), (0.12, 0.14, 0.18)
+SKIN = (0.66, 0.76, 0.9)
 COLORS = {BOUNDARY: (217, 67, 59), TOUCHING: (20, 20, 24), SELF: (217, 67, 59)}
 
 
@@ -47,13 +36,8 @@ def surface_actor(found):
     normals.SetInputData(data)
     normals.SplittingOff()
     normals.ConsistencyOff()
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(normals.GetOutputPort())
-    mapper.SetScalarModeToUseCellFieldData()
-    mapper.SelectColorArray("Colors")
-    mapper.SetColorModeToDirectScalars()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
+    actor = actor_of(normals)
+    color_cells(actor, "Colors")
     actor.GetProperty().SetAmbient(0.25)
     actor.GetProperty().SetDiffuse(0.85)
     return actor
@@ -64,16 +48,9 @@ def defect_actor(found):
     colors = numpy_to_vtk(np.array([COLORS.get(kind, (0, 0, 0)) for kind in kinds], dtype=np.uint8), deep=True)
     colors.SetName("Colors")
     found.defects.GetCellData().AddArray(colors)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(found.defects)
-    mapper.SetScalarModeToUseCellFieldData()
-    mapper.SelectColorArray("Colors")
-    mapper.SetColorModeToDirectScalars()
-    mapper.SetResolveCoincidentTopologyToPolygonOffset()
-    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -3)
-    mapper.SetRelativeCoincidentTopologyPointOffsetParameter(-6)
-    actor = vtkActor()
-    actor.SetMapper(mapper)
+    actor = actor_of(found.defects)
+    color_cells(actor, "Colors")
+    draw_in_front(actor)
     actor.GetProperty().SetLineWidth(4)
     actor.GetProperty().SetPointSize(11)
     actor.GetProperty().SetRenderPointsAsSpheres(True)
@@ -81,33 +58,11 @@ def defect_actor(found):
     return actor
 
 
-def words(text):
-    actor = vtkTextActor()
-    actor.SetInput(text)
-    actor.SetPosition(14, 12)
-    actor.GetTextProperty().SetFontSize(17)
-    actor.GetTextProperty().SetColor(INK)
-    return actor
-
-
-def half(name, text, direction, up, focus, zoom, place):
+def half(name, words, direction, up, zoom):
     found = check(meshes.cgal_mesh(name))
-    renderer = vtkRenderer()
-    renderer.SetBackground(1, 1, 1)
-    for actor in (surface_actor(found), defect_actor(found), words(text(found))):
-        renderer.AddActor(actor)
-    vtkLightKit().AddLightsToRenderer(renderer)
-    camera = renderer.GetActiveCamera()
-    camera.SetFocalPoint(0, 0, 0)
-    camera.SetPosition(direction)
-    camera.SetViewUp(up)
-    renderer.ResetCamera()
-    camera.SetPosition(np.array(camera.GetPosition()) + focus)
-    camera.SetFocalPoint(focus)
-    camera.Zoom(zoom)
-    renderer.ResetCameraClippingRange()
-    renderer.SetViewport(place / 2, 0, (place + 1) / 2, 1)
-    return renderer
+    room = white_room((surface_actor(found), defect_actor(found), text(words(found), 14, 12)))
+    look(room, direction, up, zoom, center=(0, 0, 0))
+    return room
 
 
 def of_holes(found):
@@ -119,20 +74,11 @@ def of_crossings(found):
 
 
 def main():
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(8)
-    window.SetSize(2 * WIDTH, HEIGHT)
-    window.AddRenderer(half("elephant-with-holes", of_holes, (0.9, 0.5, 2.4), (0, 1, 0), (0, 0, 0), 1.35, 0))
-    window.AddRenderer(half("bones", of_crossings, (0.3, -2.4, 0.4), (0, 0, 1), (0, 0, 0), 1.3, 1))
-    window.Render()
-    grab = vtkWindowToImageFilter()
-    grab.SetInput(window)
-    grab.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetFileName(str(HERE / "surface_check.png"))
-    writer.SetInputConnection(grab.GetOutputPort())
-    writer.Write()
+    halves = (
+        half("elephant-with-holes", of_holes, (0.9, 0.5, 2.4), (0, 1, 0), 1.35),
+        half("bones", of_crossings, (0.3, -2.4, 0.4), (0, 0, 1), 1.3),
+    )
+    save(HERE / "surface_check.png", side_by_side(halves), (2 * WIDTH, HEIGHT))
 
 
 if __name__ == "__main__":
