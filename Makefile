@@ -8,7 +8,7 @@ CMAKE_ARGUMENTS :=
 FUZZ_SECONDS := 600
 TORTURE_PAIRS := 3000
 
-.PHONY: build test demo bench fuzz torture gui format clean dependencies
+.PHONY: build test demo bench fuzz torture gui screenshots format clean dependencies
 
 build: dependencies
 	@cmake -G Ninja -S . -B $(BUILD) -DCMAKE_BUILD_TYPE=Release $(CMAKE_ARGUMENTS) > $(BUILD)-configure.log 2>&1 \
@@ -36,6 +36,9 @@ torture: build
 
 gui: build
 	@. $(BUILD)/env.sh && paraview --plugin-search-paths="$$PV_PLUGIN_PATH" --plugins=SurfaceBooleans
+
+screenshots: demo
+	@. $(BUILD)/env.sh && BUILD=$(BUILD) Screenshots/gallery.sh
 
 format:
 	@find Filters Testing Plugin \( -name '*.h' -o -name '*.cxx' \) -exec clang-format -i {} +

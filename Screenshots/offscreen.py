@@ -41,6 +41,18 @@ def color_cells(actor, array):
     mapper.SetColorModeToDirectScalars()
 
 
+def color_by_source(actor, colors):
+    """One colour for each operand, by the cell array of Surface Boolean; operands beyond the last share its colour."""
+    mapper = actor.GetMapper()
+    table = mapper.GetLookupTable()
+    table.SetNumberOfTableValues(len(colors))
+    for i, color in enumerate(colors):
+        table.SetTableValue(i, *color)
+    mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectColorArray("SourceId")
+    mapper.SetScalarRange(0, len(colors) - 1)
+
+
 def draw_in_front(actor):
     """Lines and points that lie on a surface, as if they were a little nearer to the eye."""
     mapper = actor.GetMapper()

@@ -12,7 +12,6 @@ import sys
 
 import numpy as np
 from surfacebooleans.vtk import vtkPolyDataBooleanOperationFilter
-from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataNormals
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -20,7 +19,7 @@ sys.path[:0] = [str(HERE), str(HERE.parent / "Testing" / "Filters")]
 
 from booleans import polydata  # noqa: E402
 from meshes import figure_5_pairs  # noqa: E402
-from offscreen import INK, actor_of, draw_in_front, look_parallel, save, text, white_room  # noqa: E402
+from offscreen import INK, actor_of, color_by_source, draw_in_front, look_parallel, save, text, white_room  # noqa: E402
 
 OPERATIONS = ("Union", "Intersection", "Difference")
 BLUE, RED = (0.25, 0.48, 0.88), (0.90, 0.28, 0.23)
@@ -40,17 +39,8 @@ def surface_actor(source):
     normals = vtkPolyDataNormals()
     normals.SetInputConnection(source.GetOutputPort(0))
     normals.SetFeatureAngle(25)
-    colours = vtkLookupTable()
-    colours.SetNumberOfTableValues(2)
-    colours.SetTableRange(0, 1)
-    colours.SetTableValue(0, *BLUE)
-    colours.SetTableValue(1, *RED)
     actor = actor_of(normals)
-    mapper = actor.GetMapper()
-    mapper.SetScalarModeToUseCellFieldData()
-    mapper.SelectColorArray("SourceId")
-    mapper.SetLookupTable(colours)
-    mapper.UseLookupTableScalarRangeOn()
+    color_by_source(actor, (BLUE, RED))
     actor.GetProperty().SetSpecular(0.15)
     actor.GetProperty().SetSpecularPower(30)
     return actor
