@@ -208,6 +208,25 @@ def read_arguments(description):
     return parser.parse_args()
 
 
+def selected(cases, arguments):
+    """Those that `--only` names."""
+    return [case for case in cases if not arguments.only or any(text in case.name for text in arguments.only)]
+
+
+def print_targets(claims):
+    """What `verdicts` yields, and whether it is met."""
+    if claims:
+        print(f"\n{'target':58}{'at most':>9}{'measured':>10}")
+    for claim, limit, measured in claims:
+        print(f"{claim:58}{limit:9.3f}{measured:10.3f}  {'met' if measured <= limit else 'MISSED'}")
+
+
+def print_versions(cases):
+    """Of all contenders; `cases` are dictionaries of results by contender."""
+    versions = {name: result.get("version") for case in cases for name, result in case.items()}
+    print("\n" + "; ".join(f"{name} {version}" for name, version in versions.items() if version))
+
+
 def main():
     arguments = read_arguments(__doc__)
 
@@ -217,9 +236,7 @@ def main():
         return arguments.peers == "all" or name in PERMISSIVE
 
     results = {}
-    for case in all_cases(arguments.quick):
-        if arguments.only and not any(text in case.name for text in arguments.only):
-            continue
+    for case in selected(all_cases(arguments.quick), arguments):
         names = [name for name in case.contenders if takes_part(name)]
         directory = arguments.output.parent / "bench-data"
         results[case.name] = measure(case, names, arguments.environment, directory)
@@ -227,13 +244,8 @@ def main():
 
     machine = {"processor": platform.machine(), "cores": os.cpu_count(), "load": os.getloadavg()}
     arguments.output.write_text(json.dumps({"machine": machine, "cases": results}, indent=1) + "\n")
-    claims = [] if arguments.quick else list(verdicts(results))
-    if claims:
-        print(f"\n{'target':58}{'at most':>9}{'measured':>10}")
-    for claim, limit, measured in claims:
-        print(f"{claim:58}{limit:9.2f}{measured:10.3f}  {'met' if measured <= limit else 'MISSED'}")
-    versions = {name: result.get("version") for case in results.values() for name, result in case.items()}
-    print("\n" + "; ".join(f"{name} {version}" for name, version in versions.items() if version))
+    print_targets([] if arguments.quick else list(verdicts(results)))
+    print_versions(results.values())
     print(f"{machine['cores']} cores, load {machine['load'][0]:.1f}; all measurements: {arguments.output}")
     return exit_code(results)
 

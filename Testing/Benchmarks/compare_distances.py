@@ -17,7 +17,7 @@ from statistics import median
 
 import numpy as np
 
-from compare import Worker, read_arguments
+from compare import Worker, print_targets, print_versions, read_arguments, selected
 from distance_cases import all_distance_cases
 
 REPETITIONS = 3
@@ -104,21 +104,14 @@ def main():
         return arguments.peers == "all" or name not in NONCOMMERCIAL
 
     results = {}
-    for case in all_distance_cases(arguments.quick):
-        if arguments.only and not any(text in case.name for text in arguments.only):
-            continue
+    for case in selected(all_distance_cases(arguments.quick), arguments):
         names = [name for name in case.contenders if takes_part(name)]
         results[case.name] = measure(case, names, arguments.environment, arguments.output.parent / "bench-data")
         print("\n".join(table(case, results[case.name])), flush=True)
     output = arguments.output.with_name("bench-distances.json")
     output.write_text(json.dumps(results, indent=1) + "\n")
-    claims = [] if arguments.quick else list(verdicts(results))
-    if claims:
-        print(f"\n{'target':58}{'at most':>9}{'measured':>10}")
-    for claim, limit, measured in claims:
-        print(f"{claim:58}{limit:9.3f}{measured:10.3f}  {'met' if measured <= limit else 'MISSED'}")
-    versions = {name: result.get("version") for case in results.values() for name, result in case.items()}
-    print("\n" + "; ".join(f"{name} {version}" for name, version in versions.items() if version))
+    print_targets([] if arguments.quick else list(verdicts(results)))
+    print_versions(results.values())
     return exit_code(results)
 
 

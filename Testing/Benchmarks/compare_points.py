@@ -19,7 +19,7 @@ import sys
 import numpy as np
 
 from cloud_cases import TUBE, all_cloud_cases, volume_left
-from compare import Worker, read_arguments
+from compare import Worker, print_targets, print_versions, read_arguments, selected
 
 VOLUME_TOLERANCE = 0.01
 # task, figure, the greatest ratio of ours to pymeshlab's
@@ -113,22 +113,15 @@ def verdicts(cases):
 def main():
     arguments = read_arguments(__doc__)
     cases = []
-    for case in all_cloud_cases(arguments.quick):
-        if arguments.only and not any(text in case.name for text in arguments.only):
-            continue
+    for case in selected(all_cloud_cases(arguments.quick), arguments):
         names = [name for name in case.contenders if name != "ours" or not arguments.without_ours]
         results = measure(case, names, arguments.environment, arguments.output.parent / "bench-data")
         cases.append((case, results))
         print("\n".join(table(case, results)), flush=True)
     output = arguments.output.with_name("bench-points.json")
     output.write_text(json.dumps({case.name: results for case, results in cases}, indent=1) + "\n")
-    claims = [] if arguments.quick else list(verdicts(cases))
-    if claims:
-        print(f"\n{'target':58}{'at most':>9}{'measured':>10}")
-    for claim, limit, measured in claims:
-        print(f"{claim:58}{limit:9.3f}{measured:10.3f}  {'met' if measured <= limit else 'MISSED'}")
-    versions = {name: result.get("version") for _, results in cases for name, result in results.items()}
-    print("\n" + "; ".join(f"{name} {version}" for name, version in versions.items() if version))
+    print_targets([] if arguments.quick else list(verdicts(cases)))
+    print_versions(results for _, results in cases)
     bad = {name for _, results in cases for name, result in results.items() if result.get("wrong", True)}
     return 1 if "ours" in bad else 2 if bad else 0
 
