@@ -8,16 +8,11 @@ Writes the elephant, the result, a state file to open in ParaView and a picture 
 given as argument (build/demo), and ends with exit status 1 if the result is not what it has to be.
 """
 
-import pathlib
-import sys
-
 from paraview import simple
 
 import demo_picture
 import demo_report
 from demo_elephant import write_elephant
-
-FOLDER = pathlib.Path(__file__).resolve().parent.parent / "build" / "demo"
 
 
 def cylinder(name, radius, height, center, azimuth=None):
@@ -84,7 +79,7 @@ def main(folder):
     right = demo_report.print_results(results)
     right = demo_report.print_identities(results) and right
     right = demo_report.print_file(result_file) and right
-    demo_report.print_stages(drilled)
+    demo_report.print_stages("A - B", drilled)
     for name, result in results.items():
         if result is not drilled:
             simple.Delete(result)
@@ -98,7 +93,4 @@ def main(folder):
 
 
 if __name__ == "__main__":
-    if not hasattr(simple, "SurfaceBoolean"):
-        sys.exit("ParaView does not know the plugin. Run this first: . build/env.sh")
-    if not main(pathlib.Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else FOLDER):
-        sys.exit("FAILED: a result is not closed, or its volume is wrong; see the tables above.")
+    demo_report.run(main, "SurfaceBoolean")

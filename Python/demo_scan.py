@@ -21,7 +21,6 @@ import demo_picture
 import demo_report
 from demo_elephant import ARCHIVE
 
-FOLDER = pathlib.Path(__file__).resolve().parent.parent / "build" / "demo"
 SCAN = "data/points_3/kitten.xyz"
 SCREW = "/usr/share/opencascade/data/step/screw.step"
 OPERATIONS = {"A | B": "Union", "A & B": "Intersection", "A - B": "Difference", "B - A": "Reverse Difference"}
@@ -117,14 +116,6 @@ def print_budget(result):
         print(f"  {name:<18}{field(surface, name) / field(surface, 'Spacing'):>8.4f}")
 
 
-def print_stages(result):
-    surface = servermanager.Fetch(result)
-    names, seconds = demo_report.field(surface, "StageNames"), demo_report.field(surface, "StageSeconds")
-    print(f"\nA | B took {sum(seconds):.3f} s:")
-    for name, time in zip(names, seconds):
-        print(f"  {name:<18}{time:>8.3f} s")
-
-
 def main(folder):
     """Write everything into the folder; whether the results are what they have to be."""
     folder.mkdir(parents=True, exist_ok=True)
@@ -136,7 +127,7 @@ def main(folder):
     right = print_results(results)
     right = print_identities(results) and right
     print_budget(joined)
-    print_stages(joined)
+    demo_report.print_stages("A | B", joined)
     result_file = folder / "cat_screw.stl"
     simple.SaveData(str(result_file), proxy=joined)
     for name, result in results.items():
@@ -152,7 +143,4 @@ def main(folder):
 
 
 if __name__ == "__main__":
-    if not hasattr(simple, "PointSetBoolean"):
-        sys.exit("ParaView does not know the plugin. Run this first: . build/env.sh")
-    if not main(pathlib.Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else FOLDER):
-        sys.exit("FAILED: a result is not closed, or its volume is wrong; see the tables above.")
+    demo_report.run(main, "PointSetBoolean")
