@@ -141,7 +141,7 @@ void BVH::SortAlongCurve(const Box* boxes, std::int32_t count, Executor& executo
 void BVH::FillLowestLevel(Executor& executor)
 {
   const std::size_t count = this->Numbers.size();
-  std::vector<Node>& nodes = this->Levels.emplace_back((count + Width - 1) / Width);
+  std::vector<EightBoxes>& nodes = this->Levels.emplace_back((count + Width - 1) / Width);
   executor.For(static_cast<std::int64_t>(nodes.size()), Grain / Width,
     [&](std::int64_t begin, std::int64_t end) {
       for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
@@ -149,7 +149,8 @@ void BVH::FillLowestLevel(Executor& executor)
         for (int lane = 0; lane < Width; ++lane)
         {
           const std::size_t place = i * Width + static_cast<std::size_t>(lane);
-          nodes[i].Set(lane, place < count ? this->ToFrame(this->Boxes[place]) : Nothing());
+          nodes[i].Set(
+            lane, place < count ? this->ToFrame(this->Boxes[place]) : FloatBox::Nothing());
         }
       }
     });
@@ -157,9 +158,9 @@ void BVH::FillLowestLevel(Executor& executor)
 
 void BVH::FillNextLevel(Executor& executor)
 {
-  std::vector<Node>& nodes =
+  std::vector<EightBoxes>& nodes =
     this->Levels.emplace_back((this->Levels.back().size() + Width - 1) / Width);
-  const std::vector<Node>& below = this->Levels[this->Levels.size() - 2];
+  const std::vector<EightBoxes>& below = this->Levels[this->Levels.size() - 2];
   executor.For(static_cast<std::int64_t>(nodes.size()), Grain / Width,
     [&](std::int64_t begin, std::int64_t end) {
       for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
@@ -167,7 +168,7 @@ void BVH::FillNextLevel(Executor& executor)
         for (int lane = 0; lane < Width; ++lane)
         {
           const std::size_t child = i * Width + static_cast<std::size_t>(lane);
-          nodes[i].Set(lane, child < below.size() ? below[child].Bounds() : Nothing());
+          nodes[i].Set(lane, child < below.size() ? below[child].Bounds() : FloatBox::Nothing());
         }
       }
     });
@@ -175,33 +176,13 @@ void BVH::FillNextLevel(Executor& executor)
 
 bool BVH::AnyOverlap(const Box& box) const
 {
-  if (this->Numbers.empty())
-  {
-    return false;
-  }
-  const FloatBox query = this->ToFrame(box);
-  std::array<NodeId, MostLevels * Width> open;
-  std::size_t numberOpen = 1;
-  open[0] = { static_cast<std::int32_t>(this->Levels.size()) - 1, 0 };
-  while (numberOpen > 0)
-  {
-    const NodeId id = open[--numberOpen];
-    const Node& node =
-      this->Levels[static_cast<std::size_t>(id.Level)][static_cast<std::size_t>(id.Index)];
-    for (unsigned lanes = node.LanesThatMeet(query); lanes != 0; lanes &= lanes - 1)
-    {
-      const std::int32_t child = id.Index * Width + LowestLane(lanes);
-      if (id.Level > 0)
-      {
-        open[numberOpen++] = { id.Level - 1, child };
-      }
-      else if (Overlap(this->Boxes[static_cast<std::size_t>(child)], box))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
+  bool isAny = false;
+  const auto always = [](std::int32_t, std::int32_t) { return true; };
+  this->Descend(this->ToFrame(box), always, [&](std::int32_t place, const FloatBox&) {
+    isAny = Overlap(this->Boxes[static_cast<std::size_t>(place)], box);
+    return !isAny;
+  });
+  return isAny;
 }
 
 } // namespace sb

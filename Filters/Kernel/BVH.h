@@ -14,6 +14,7 @@
 #ifndef sb_BVH_h
 #define sb_BVH_h
 
+#include "EightBoxes.h"
 #include "Executor.h"
 
 #include <algorithm>
@@ -21,10 +22,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <vector>
-
-#if defined(__SSE2__) || defined(_M_X64)
-#include <emmintrin.h>
-#endif
 
 namespace sb
 {
@@ -76,7 +73,7 @@ public:
   };
 
   /** This many queries may be asked together. */
-  static constexpr int Width = 8;
+  static constexpr int Width = EightBoxes::Width;
 
   /**
    * Call visit(query, i) for each of the queries and each box i >= its First that meets it, in the
@@ -106,24 +103,6 @@ public:
 private:
   static constexpr int MostLevels = 11; // 8^11 > 2^31
 
-  struct FloatBox
-  {
-    float Lower[3];
-    float Upper[3];
-  };
-
-  /** Eight boxes, coordinate by coordinate; a lane without a box holds Nothing(). */
-  struct alignas(64) Node
-  {
-    float Lower[3][Width];
-    float Upper[3][Width];
-
-    void Set(int lane, const FloatBox& box);
-    FloatBox Get(int lane) const;
-    FloatBox Bounds() const;
-    unsigned LanesThatMeet(const FloatBox& query) const;
-  };
-
   struct NodeId
   {
     std::int32_t Level;
@@ -136,92 +115,23 @@ private:
   void FillNextLevel(Executor& executor);
 
   FloatBox ToFrame(const Box& box) const;
-  static FloatBox Nothing();
-  static int LowestLane(unsigned lanes);
+
+  /**
+   * Call visit(place, box) for each box that meets `bounds`, until that returns false. A node of a
+   * level is opened only if enter(level, index) says so.
+   */
+  template <class Enter, class Visit>
+  void Descend(const FloatBox& bounds, Enter&& enter, Visit&& visit) const;
 
   std::array<double, 3> Origin{};
   double Scale = 1.0; ///< a power of two, so that only the subtraction of the origin rounds
   int UsualMagnitude = 0; ///< mean binary exponent of the boxes' longest sides
   std::vector<std::int32_t> Numbers; ///< of the boxes, in their order along the curve
   std::vector<Box> Boxes; ///< in that order too, for one cache line serves neighbours
-  std::vector<std::vector<Node>> Levels; ///< [0] holds the boxes; the last has one node
+  std::vector<std::vector<EightBoxes>> Levels; ///< [0] holds the boxes; the last has one node
 };
 
-inline void BVH::Node::Set(int lane, const FloatBox& box)
-{
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    this->Lower[axis][lane] = box.Lower[axis];
-    this->Upper[axis][lane] = box.Upper[axis];
-  }
-}
-
-inline BVH::FloatBox BVH::Node::Get(int lane) const
-{
-  return { { this->Lower[0][lane], this->Lower[1][lane], this->Lower[2][lane] },
-    { this->Upper[0][lane], this->Upper[1][lane], this->Upper[2][lane] } };
-}
-
-inline BVH::FloatBox BVH::Node::Bounds() const
-{
-  FloatBox bounds;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    bounds.Lower[axis] = *std::min_element(this->Lower[axis], this->Lower[axis] + Width);
-    bounds.Upper[axis] = *std::max_element(this->Upper[axis], this->Upper[axis] + Width);
-  }
-  return bounds;
-}
-
-inline unsigned BVH::Node::LanesThatMeet(const FloatBox& query) const
-{
-#if defined(__SSE2__) || defined(_M_X64)
-  // Compilers do not find this by themselves, and it is most of what a query does.
-  unsigned lanes = 0;
-  for (int half = 0; half < Width; half += 4)
-  {
-    __m128 meets = _mm_castsi128_ps(_mm_set1_epi32(-1));
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const __m128 lower = _mm_load_ps(this->Lower[axis] + half);
-      const __m128 upper = _mm_load_ps(this->Upper[axis] + half);
-      meets = _mm_and_ps(meets, _mm_cmple_ps(lower, _mm_set1_ps(query.Upper[axis])));
-      meets = _mm_and_ps(meets, _mm_cmple_ps(_mm_set1_ps(query.Lower[axis]), upper));
-    }
-    lanes |= static_cast<unsigned>(_mm_movemask_ps(meets)) << half;
-  }
-  return lanes;
-#else
-  unsigned lanes = 0;
-  for (unsigned lane = 0; lane < Width; ++lane)
-  {
-    const bool meets = (this->Lower[0][lane] <= query.Upper[0]) &
-      (query.Lower[0] <= this->Upper[0][lane]) & (this->Lower[1][lane] <= query.Upper[1]) &
-      (query.Lower[1] <= this->Upper[1][lane]) & (this->Lower[2][lane] <= query.Upper[2]) &
-      (query.Lower[2] <= this->Upper[2][lane]);
-    lanes |= static_cast<unsigned>(meets) << lane;
-  }
-  return lanes;
-#endif
-}
-
-inline int BVH::LowestLane(unsigned lanes)
-{
-#if defined(__GNUC__)
-  return __builtin_ctz(lanes);
-#else
-  int lane = 0;
-  for (; (lanes & 1u) == 0; lanes >>= 1)
-  {
-    ++lane;
-  }
-  return lane;
-#endif
-}
-
-inline BVH::FloatBox BVH::Nothing() { return { { 3.0f, 3.0f, 3.0f }, { -3.0f, -3.0f, -3.0f } }; }
-
-inline BVH::FloatBox BVH::ToFrame(const Box& box) const
+inline FloatBox BVH::ToFrame(const Box& box) const
 {
   // A float in [-1, 1] is 2^-25 off at most, so this slack takes the bound outward. Boxes that meet
   // as doubles meet as floats wherever they are, because every step is monotone.
@@ -237,87 +147,85 @@ inline BVH::FloatBox BVH::ToFrame(const Box& box) const
   return inFrame;
 }
 
-template <class Visit>
-void BVH::ForEachOverlap(const Query* queries, int numberOfQueries, Visit&& visit) const
+template <class Enter, class Visit>
+void BVH::Descend(const FloatBox& bounds, Enter&& enter, Visit&& visit) const
 {
   if (this->Numbers.empty())
   {
     return;
   }
-  // The queries make a node of their own. Its bounds find the boxes, each of which then meets all
-  // queries at once.
-  Node asking;
-  for (int lane = 0; lane < Width; ++lane)
-  {
-    asking.Set(lane, lane < numberOfQueries ? this->ToFrame(queries[lane].Extent) : Nothing());
-  }
-  const FloatBox bounds = asking.Bounds();
   std::array<NodeId, MostLevels * Width> open;
   std::size_t numberOpen = 1;
   open[0] = { static_cast<std::int32_t>(this->Levels.size()) - 1, 0 };
   while (numberOpen > 0)
   {
     const NodeId id = open[--numberOpen];
-    const Node& node =
+    const EightBoxes& node =
       this->Levels[static_cast<std::size_t>(id.Level)][static_cast<std::size_t>(id.Index)];
     for (unsigned lanes = node.LanesThatMeet(bounds); lanes != 0; lanes &= lanes - 1)
     {
       const int lane = LowestLane(lanes);
       const std::int32_t child = id.Index * Width + lane;
-      if (id.Level > 0)
+      if (id.Level == 0)
+      {
+        if (!visit(child, node.Get(lane)))
+        {
+          return;
+        }
+      }
+      else if (enter(id.Level - 1, child))
       {
         open[numberOpen++] = { id.Level - 1, child };
-        continue;
-      }
-      for (unsigned hits = asking.LanesThatMeet(node.Get(lane)); hits != 0; hits &= hits - 1)
-      {
-        const int query = LowestLane(hits);
-        const std::int32_t number = this->Numbers[static_cast<std::size_t>(child)];
-        if (number >= queries[query].First &&
-          Overlap(this->Boxes[static_cast<std::size_t>(child)], queries[query].Extent))
-        {
-          visit(query, number);
-        }
       }
     }
   }
 }
 
 template <class Visit>
-void BVH::ForEachPairOfGroup(std::int32_t group, Visit&& visit) const
+void BVH::ForEachOverlap(const Query* queries, int numberOfQueries, Visit&& visit) const
 {
-  const Node& asking = this->Levels[0][static_cast<std::size_t>(group)];
-  const FloatBox bounds = asking.Bounds();
-  std::array<NodeId, MostLevels * Width> open;
-  std::size_t numberOpen = 1;
-  open[0] = { static_cast<std::int32_t>(this->Levels.size()) - 1, 0 };
-  while (numberOpen > 0)
+  // The queries make a node of their own. Its bounds find the boxes, each of which then meets all
+  // queries at once.
+  EightBoxes asking;
+  for (int lane = 0; lane < Width; ++lane)
   {
-    const NodeId id = open[--numberOpen];
-    const Node& node =
-      this->Levels[static_cast<std::size_t>(id.Level)][static_cast<std::size_t>(id.Index)];
-    for (unsigned lanes = node.LanesThatMeet(bounds); lanes != 0; lanes &= lanes - 1)
+    asking.Set(
+      lane, lane < numberOfQueries ? this->ToFrame(queries[lane].Extent) : FloatBox::Nothing());
+  }
+  const auto always = [](std::int32_t, std::int32_t) { return true; };
+  this->Descend(asking.Bounds(), always, [&](std::int32_t place, const FloatBox& box) {
+    for (unsigned hits = asking.LanesThatMeet(box); hits != 0; hits &= hits - 1)
     {
-      const int lane = LowestLane(lanes);
-      const std::int32_t child = id.Index * Width + lane;
-      if (id.Level > 0)
+      const int query = LowestLane(hits);
+      const std::int32_t number = this->Numbers[static_cast<std::size_t>(place)];
+      if (number >= queries[query].First &&
+        Overlap(this->Boxes[static_cast<std::size_t>(place)], queries[query].Extent))
       {
-        // The last group below this child; those before the asking one have asked already.
-        const std::int64_t last = ((std::int64_t(child) + 1) << (3 * (id.Level - 1))) - 1;
-        if (last >= group)
-        {
-          open[numberOpen++] = { id.Level - 1, child };
-        }
-        continue;
-      }
-      unsigned hits = asking.LanesThatMeet(node.Get(lane));
-      hits &= id.Index == group ? (1u << lane) - 1 : ~0u; // places before this one
-      for (; hits != 0; hits &= hits - 1)
-      {
-        visit(group * Width + LowestLane(hits), child);
+        visit(query, number);
       }
     }
-  }
+    return true;
+  });
+}
+
+template <class Visit>
+void BVH::ForEachPairOfGroup(std::int32_t group, Visit&& visit) const
+{
+  const EightBoxes& asking = this->Levels[0][static_cast<std::size_t>(group)];
+  const auto mayHoldLater = [group](std::int32_t level, std::int32_t index) {
+    // The last group below that node; those before the asking one have asked already.
+    const std::int64_t last = ((std::int64_t(index) + 1) << (3 * level)) - 1;
+    return last >= group;
+  };
+  this->Descend(asking.Bounds(), mayHoldLater, [&](std::int32_t place, const FloatBox& box) {
+    unsigned hits = asking.LanesThatMeet(box);
+    hits &= place / Width == group ? (1u << place % Width) - 1 : ~0u; // places before this one
+    for (; hits != 0; hits &= hits - 1)
+    {
+      visit(group * Width + LowestLane(hits), place);
+    }
+    return true;
+  });
 }
 
 } // namespace sb
