@@ -2,47 +2,74 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Lanes.h
- * @brief Four doubles at once, in one register or two where the compiler has such vectors.
+ * @brief Four doubles at once, in one register or two where the compiler has such vectors, and
+ * eight at once for machines whose registers hold them.
  *
- * Compilers may not reorder sums, and so do not vectorise them by themselves. The sums of four
- * lanes are the same on all machines, whatever width of registers they have.
+ * Compilers may not reorder sums, and so do not vectorise them by themselves. What is to be the
+ * same on all machines is summed in eight lanes: in WideLanes, or in Lanes once for the lower and
+ * once for the upper half. Both add up to the same bits.
  */
 #ifndef sb_Lanes_h
 #define sb_Lanes_h
 
 #include <cstddef>
 
+#if defined(__GNUC__) && defined(__x86_64__)
+#define SB_WITH_AVX ///< functions can be compiled for registers that not every machine has
+#endif
+
 namespace sb
 {
-
-constexpr std::size_t NumberOfLanes = 4;
 
 #if defined(__GNUC__)
 
 using Lanes = double __attribute__((vector_size(32)));
+using WideLanes = double __attribute__((vector_size(64)));
 
 /** The same anywhere in memory. */
-using LanesInMemory = double __attribute__((vector_size(32), aligned(8), may_alias));
-
-inline void Fill(Lanes& lanes, double a) { lanes = Lanes{ a, a, a, a }; }
-inline void Load(Lanes& lanes, const double* from)
+template <class L>
+struct InMemory;
+template <>
+struct InMemory<Lanes>
 {
-  lanes = *reinterpret_cast<const LanesInMemory*>(from);
+  using Type = double __attribute__((vector_size(32), aligned(8), may_alias));
+};
+template <>
+struct InMemory<WideLanes>
+{
+  using Type = double __attribute__((vector_size(64), aligned(8), may_alias));
+};
+
+template <class L>
+inline void Fill(L& lanes, double a)
+{
+  lanes = L{} + a;
 }
-inline void Store(double* to, const Lanes& lanes) { *reinterpret_cast<LanesInMemory*>(to) = lanes; }
+template <class L>
+inline void Load(L& lanes, const double* from)
+{
+  lanes = *reinterpret_cast<const typename InMemory<L>::Type*>(from);
+}
+template <class L>
+inline void Store(double* to, const L& lanes)
+{
+  *reinterpret_cast<typename InMemory<L>::Type*>(to) = lanes;
+}
 
 /** Keep a in the lanes where it is positive, and 0 elsewhere. */
-inline void KeepPositive(Lanes& a)
+template <class L>
+inline void KeepPositive(L& a)
 {
-  const Lanes zero{};
+  const L zero{};
   a = a > zero ? a : zero;
 }
 
 /** Count the lanes in which a is positive, each in itself. */
-inline void CountPositive(Lanes& counts, const Lanes& a)
+template <class L>
+inline void CountPositive(L& counts, const L& a)
 {
-  const Lanes zero{};
-  const Lanes one{ 1.0, 1.0, 1.0, 1.0 };
+  const L zero{};
+  const L one = zero + 1.0;
   counts += a > zero ? one : zero;
 }
 
@@ -50,12 +77,13 @@ inline void CountPositive(Lanes& counts, const Lanes& a)
 
 struct Lanes
 {
-  double Each[NumberOfLanes];
+  static constexpr std::size_t Size = 4;
+  double Each[Size];
 
   double operator[](int lane) const { return this->Each[lane]; }
   Lanes& operator+=(const Lanes& b)
   {
-    for (std::size_t lane = 0; lane < NumberOfLanes; ++lane)
+    for (std::size_t lane = 0; lane < Lanes::Size; ++lane)
     {
       this->Each[lane] += b.Each[lane];
     }
@@ -65,7 +93,7 @@ struct Lanes
 inline Lanes operator+(Lanes a, const Lanes& b) { return a += b; }
 inline Lanes operator-(Lanes a, const Lanes& b)
 {
-  for (std::size_t lane = 0; lane < NumberOfLanes; ++lane)
+  for (std::size_t lane = 0; lane < Lanes::Size; ++lane)
   {
     a.Each[lane] -= b.Each[lane];
   }
@@ -73,7 +101,7 @@ inline Lanes operator-(Lanes a, const Lanes& b)
 }
 inline Lanes operator*(Lanes a, const Lanes& b)
 {
-  for (std::size_t lane = 0; lane < NumberOfLanes; ++lane)
+  for (std::size_t lane = 0; lane < Lanes::Size; ++lane)
   {
     a.Each[lane] *= b.Each[lane];
   }
@@ -109,7 +137,7 @@ inline void KeepPositive(Lanes& a)
 }
 inline void CountPositive(Lanes& counts, const Lanes& a)
 {
-  for (std::size_t lane = 0; lane < NumberOfLanes; ++lane)
+  for (std::size_t lane = 0; lane < Lanes::Size; ++lane)
   {
     counts.Each[lane] += a.Each[lane] > 0.0 ? 1.0 : 0.0;
   }
@@ -119,7 +147,29 @@ inline void CountPositive(Lanes& counts, const Lanes& a)
 
 // By reference throughout: how vectors of this size are passed by value depends on the machine.
 
-inline double Sum(const Lanes& a) { return (a[0] + a[1]) + (a[2] + a[3]); }
+#ifdef SB_WITH_AVX
+/** The most lanes that the machine has registers for, if more than two. */
+inline int LanesOfMachine()
+{
+  return __builtin_cpu_supports("avx512f") ? 8 : __builtin_cpu_supports("avx") ? 4 : 2;
+}
+#endif
+
+template <class L>
+constexpr std::size_t NumberOfLanes = sizeof(L) / sizeof(double);
+
+template <class L>
+inline double Sum(const L& a)
+{
+  if constexpr (NumberOfLanes<L> == 4)
+  {
+    return (a[0] + a[1]) + (a[2] + a[3]);
+  }
+  else
+  {
+    return ((a[0] + a[1]) + (a[2] + a[3])) + ((a[4] + a[5]) + (a[6] + a[7]));
+  }
+}
 
 } // namespace sb
 

@@ -17,12 +17,12 @@ constexpr std::int32_t FewestNeighbours = 6;
 constexpr double LeastAgreement = 0.3; ///< of |N| to the sum of weights
 constexpr double LargestOffset = 0.5; ///< of the samples' mean along the surface, in h
 constexpr double MarginOfIterations = 0.35; ///< in h: most projections stay within it
-constexpr double SlackOfLeaves = 0.8; ///< in R
+constexpr double Slack = 0.8; ///< in R: how far around a place the tree is looked up
 constexpr double LastStep = 1e-6; ///< in h
 constexpr double ReachOfUnbiased = 2.2; ///< in h
 constexpr double ReachOfAmentaKil = 4.5;
-constexpr std::size_t FirstRoom = 7; ///< rows before it hold samples, three from it on are room
-constexpr std::size_t NumberOfRows = FirstRoom + 3;
+constexpr std::size_t FirstRoom = 6; ///< rows before it hold samples, two from it on are room
+constexpr std::size_t NumberOfRows = FirstRoom + 2;
 const double OneOverRootThree = 1.0 / std::sqrt(3.0);
 
 /** Cut where it has fallen below 2e-9, so that the function has no step that its curvature shows.
@@ -284,203 +284,100 @@ MovingLeastSquares::MovingLeastSquares(std::shared_ptr<const PointTree> tree, co
   , H(width)
   , R((definition == SurfaceDefinition::AmentaKil ? ReachOfAmentaKil : ReachOfUnbiased) * width)
 {
-  const std::size_t count = static_cast<std::size_t>(this->Tree->Size());
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    this->Normals[axis].resize(count);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const std::size_t id = static_cast<std::size_t>(this->Tree->Id(static_cast<std::int32_t>(i)));
-      this->Normals[axis][i] = normals[3 * id + axis];
-    }
-  }
   this->MostWidth = this->H;
+  std::vector<double> reaches;
   if (definition == SurfaceDefinition::Unbiased && !widths.empty())
   {
-    this->TakeWidths(widths);
+    reaches = this->TakeWidths(widths);
   }
+  this->Groups = std::make_unique<SampleGroups>(*this->Tree, normals, reaches, this->R);
 }
 
-void MovingLeastSquares::TakeWidths(const std::vector<double>& widths)
+/** @return how far each sample reaches. */
+std::vector<double> MovingLeastSquares::TakeWidths(const std::vector<double>& widths)
 {
-  std::vector<double> sorted = widths;
-  const auto narrow = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 100);
-  std::nth_element(sorted.begin(), narrow, sorted.end());
+  std::vector<double> reaches = widths;
+  const auto narrow = reaches.begin() + static_cast<std::ptrdiff_t>(reaches.size() / 100);
+  std::nth_element(reaches.begin(), narrow, reaches.end());
   this->Narrow = *narrow;
   this->MostWidth = *std::max_element(widths.begin(), widths.end());
   this->R = ReachOfUnbiased * this->MostWidth;
-  std::vector<double> reaches(widths.size());
-  this->InverseSquaredReaches.resize(widths.size());
-  for (std::size_t i = 0; i < widths.size(); ++i)
-  {
-    reaches[i] = ReachOfUnbiased * widths[i];
-    this->InverseSquaredReaches[i] = 1.0 / (reaches[i] * reaches[i]);
-  }
-  this->NodeReaches = this->Tree->LargestOfNodes(reaches.data());
+  std::transform(widths.begin(), widths.end(), reaches.begin(),
+    [](double width) { return ReachOfUnbiased * width; });
+  return reaches;
 }
 
-Real3 MovingLeastSquares::SampleNormal(std::int32_t i) const
+void MovingLeastSquares::Surround(const Real3& middle, double radius, Neighbourhood& near) const
 {
-  const std::size_t place = static_cast<std::size_t>(i);
-  return { this->Normals[0][place], this->Normals[1][place], this->Normals[2][place] };
+  near.Of = this->Number;
+  near.Middle = middle;
+  near.Around = radius;
+  this->Groups->Surround(*this->Tree, middle, radius, near.Groups);
 }
 
+/** Places mostly follow each other closely. Then the tree is looked up once for several of them. */
 void MovingLeastSquares::Gather(const Real3& x, double margin, Neighbourhood& near) const
 {
+  const double away = Length(Difference(x, near.Middle));
+  if (near.Of != this->Number || away + margin > near.Around)
+  {
+    const bool follows = near.Of == this->Number && away < Slack * this->R;
+    this->Surround(x, margin + (follows ? Slack * this->R : 0.0), near);
+  }
   near.Centre = x;
   near.Margin = margin;
-  near.Count = 0;
-  this->CollectLeaves(x, margin, near);
-  for (const Neighbourhood::Leaf& leaf : near.Leaves)
+  this->Groups->Filter(x, margin, near.Groups);
+  if (this->Kind == SurfaceDefinition::AmentaKil)
   {
-    const double radius = leaf.Reach + margin;
-    if (PointTree::SquaredDistance(x, leaf.Lower, leaf.Upper) < radius * radius)
-    {
-      this->IsUneven() ? this->GatherUneven(leaf.Begin, leaf.End, near)
-                       : this->GatherEven(leaf.Begin, leaf.End, near);
-    }
+    this->Copy(near);
   }
-  // Some more, out of reach, so that four at a time can be summed.
-  const std::size_t count = static_cast<std::size_t>(near.Count);
-  near.MakeRoom(count + NumberOfLanes);
-  const double far[FirstRoom] = { x[0] + 2.0 * (this->R + margin), x[1], x[2], 0.0, 0.0, 0.0,
-    1.0 / (this->R * this->R) };
-  for (std::size_t place = count; place % NumberOfLanes != 0; ++place)
+}
+
+/** The samples of the groups that are within reach, one after the other. */
+void MovingLeastSquares::Copy(Neighbourhood& near) const
+{
+  const std::size_t groups = near.Groups.Count();
+  if (groups * SampleGroups::Size > near.Capacity)
   {
+    near.Capacity = 2 * groups * SampleGroups::Size;
+    near.Memory.resize(NumberOfRows * near.Capacity);
+  }
+  const double limit = (this->R + near.Margin) * (this->R + near.Margin);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < groups * SampleGroups::Size; ++i)
+  {
+    const double* const sample =
+      near.Groups.Groups()[i / SampleGroups::Size] + i % SampleGroups::Size;
+    Real3 q;
     for (std::size_t row = 0; row < FirstRoom; ++row)
     {
-      near.Row(row)[place] = far[row];
+      near.Row(row)[count] = sample[row * SampleGroups::Size];
     }
-  }
-}
-
-/** Places mostly follow each other closely. Then the leaves of the tree are looked up once for a
- * ball that holds several of them. */
-void MovingLeastSquares::CollectLeaves(const Real3& x, double margin, Neighbourhood& near) const
-{
-  const double away = Length(Difference(x, near.LeavesCentre));
-  if (near.LeavesOf == this->Number && away + margin <= near.LeavesMargin)
-  {
-    return;
-  }
-  const bool follows = near.LeavesOf == this->Number && away < SlackOfLeaves * this->R;
-  near.LeavesOf = this->Number;
-  near.LeavesCentre = x;
-  near.LeavesMargin = margin + (follows ? SlackOfLeaves * this->R : 0.0);
-  near.Leaves.clear();
-  const auto reachOf = [this](std::size_t node) {
-    return this->IsUneven() ? this->NodeReaches[node] : this->R;
-  };
-  this->Tree->ForLeaves(
-    [&](std::size_t node, const Real3& lower, const Real3& upper) {
-      const double radius = reachOf(node) + near.LeavesMargin;
-      return PointTree::SquaredDistance(x, lower, upper) < radius * radius;
-    },
-    [&](std::size_t node, std::int32_t begin, std::int32_t end) {
-      near.Leaves.push_back(
-        { this->Tree->LowerOf(node), this->Tree->UpperOf(node), reachOf(node), begin, end });
-    });
-}
-
-void MovingLeastSquares::Neighbourhood::MakeRoom(std::size_t needed)
-{
-  if (needed <= this->Capacity)
-  {
-    return;
-  }
-  const std::size_t capacity = 2 * needed;
-  std::vector<double> larger(NumberOfRows * capacity);
-  for (std::size_t row = 0; row < FirstRoom; ++row)
-  {
-    std::copy_n(
-      this->Row(row), static_cast<std::size_t>(this->Count), larger.data() + row * capacity);
-  }
-  this->Memory.swap(larger);
-  this->Capacity = capacity;
-}
-
-void MovingLeastSquares::GatherEven(std::int32_t begin, std::int32_t end, Neighbourhood& near) const
-{
-  std::size_t count = static_cast<std::size_t>(near.Count);
-  near.MakeRoom(count + static_cast<std::size_t>(end - begin) + NumberOfLanes);
-  const double limit = (this->R + near.Margin) * (this->R + near.Margin);
-  const double* const px = this->Tree->Axis(0);
-  const double* const py = this->Tree->Axis(1);
-  const double* const pz = this->Tree->Axis(2);
-  double* const rows[6] = { near.Row(0), near.Row(1), near.Row(2), near.Row(3), near.Row(4),
-    near.Row(5) };
-  for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-  {
-    const double dx = px[i] - near.Centre[0];
-    const double dy = py[i] - near.Centre[1];
-    const double dz = pz[i] - near.Centre[2];
-    // Written always and counted only if near: no branch to guess wrong.
-    rows[0][count] = px[i];
-    rows[1][count] = py[i];
-    rows[2][count] = pz[i];
-    rows[3][count] = this->Normals[0][i];
-    rows[4][count] = this->Normals[1][i];
-    rows[5][count] = this->Normals[2][i];
-    count += dx * dx + dy * dy + dz * dz < limit ? 1 : 0;
-  }
-  near.Count = static_cast<std::int32_t>(count);
-}
-
-void MovingLeastSquares::GatherUneven(
-  std::int32_t begin, std::int32_t end, Neighbourhood& near) const
-{
-  std::size_t count = static_cast<std::size_t>(near.Count);
-  near.MakeRoom(count + static_cast<std::size_t>(end - begin) + NumberOfLanes);
-  for (std::int32_t i = begin; i < end; ++i)
-  {
-    const std::size_t place = static_cast<std::size_t>(i);
-    const Real3 q = this->Tree->Point(i);
-    const double inverse = this->InverseSquaredReaches[place];
-    const double limit = 1.0 / std::sqrt(inverse) + near.Margin;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      near.Row(axis)[count] = q[axis];
-      near.Row(3 + axis)[count] = this->Normals[axis][place];
+      q[axis] = near.Row(axis)[count];
     }
-    near.Row(6)[count] = inverse;
-    const Real3 d = Difference(q, near.Centre);
-    count += Dot(d, d) < limit * limit ? 1 : 0;
+    const Real3 away = Difference(q, near.Centre);
+    // Written always and counted only if near: no branch to guess wrong.
+    count += Dot(away, away) < limit ? 1 : 0;
   }
   near.Count = static_cast<std::int32_t>(count);
 }
 
 SurfaceValue MovingLeastSquares::Evaluate(const Real3& x, int order, Neighbourhood& near) const
 {
-  if (near.Count < FewestNeighbours)
-  {
-    return {};
-  }
-  if (this->Kind == SurfaceDefinition::AmentaKil)
-  {
-    return this->EvaluateAmentaKil(x, order, near);
-  }
-  return this->EvaluateUnbiased(x, order, near);
+  return this->Kind == SurfaceDefinition::AmentaKil ? this->EvaluateAmentaKil(x, order, near)
+                                                    : this->EvaluateUnbiased(x, order, near);
 }
 
 /** UnbiasedSurface.h says what it is. */
 SurfaceValue MovingLeastSquares::EvaluateUnbiased(
   const Real3& x, int order, Neighbourhood& near) const
 {
-  SampleRows rows;
-  rows.Count =
-    (static_cast<std::size_t>(near.Count) + NumberOfLanes - 1) / NumberOfLanes * NumberOfLanes;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    rows.Position[axis] = near.Row(axis);
-    rows.Normal[axis] = near.Row(3 + axis);
-    rows.Room[axis] = near.Row(FirstRoom + axis);
-  }
-  rows.CommonInverseSquaredReach = 1.0 / (this->R * this->R);
-  if (this->IsUneven())
-  {
-    rows.InverseSquaredReach = near.Row(6);
-  }
-  const UnbiasedValue value = sb::EvaluateUnbiased(x, order, rows);
+  near.Room.resize(std::max(near.Room.size(), near.Groups.Count() * RoomOfGroup));
+  const UnbiasedValue value = sb::EvaluateUnbiased(x, order,
+    { near.Groups.Groups(), near.Groups.Count(), this->IsUneven(), 1.0 / (this->R * this->R),
+      near.Room.data() });
   SurfaceValue f;
   if (value.Neighbours < FewestNeighbours)
   {

@@ -30,6 +30,7 @@
 
 #include "PointTree.h"
 #include "Real3.h"
+#include "SampleGroups.h"
 
 #include <cstdint>
 #include <memory>
@@ -76,30 +77,26 @@ public:
   MovingLeastSquares(std::shared_ptr<const PointTree> tree, const double* normals,
     SurfaceDefinition definition, double width, const std::vector<double>& widths = {});
 
-  /** The samples near a place, copied together: memory of one thread, to use again and again. */
+  /** The samples near a place: memory of one thread, to use again and again. */
   class Neighbourhood
   {
     friend class MovingLeastSquares;
-    std::int32_t Count = 0;
-    std::vector<double> Memory; ///< rows of Capacity: q, v, 1 / reach^2, then room
-    std::size_t Capacity = 0;
+    SampleGroups::Nearby Groups;
     Real3 Centre{};
     double Margin = 0.0;
-    struct Leaf ///< of the tree
-    {
-      Real3 Lower;
-      Real3 Upper;
-      double Reach; ///< of its samples
-      std::int32_t Begin;
-      std::int32_t End;
-    };
-    std::vector<Leaf> Leaves; ///< all that matter up to LeavesMargin from LeavesCentre
-    std::uint64_t LeavesOf = 0; ///< number of the surface
-    Real3 LeavesCentre{};
-    double LeavesMargin = 0.0;
+    std::uint64_t Of = 0; ///< number of the surface
+    Real3 Middle{}; ///< of the places around which the tree was looked up last
+    double Around = 0.0; ///< how far around it
+    std::vector<double> Room;
+    // For AmentaKil, the samples themselves: rows of Capacity, q and v, then room.
+    std::int32_t Count = 0;
+    std::vector<double> Memory;
+    std::size_t Capacity = 0;
     double* Row(std::size_t row) { return this->Memory.data() + row * this->Capacity; }
-    void MakeRoom(std::size_t needed);
   };
+
+  /** Look up what matters for many places that will follow, up to `radius` from the middle. */
+  void Surround(const Real3& middle, double radius, Neighbourhood& near) const;
 
   /** Gather the samples that matter for places up to `margin` from x. */
   void Gather(const Real3& x, double margin, Neighbourhood& near) const;
@@ -113,7 +110,7 @@ public:
   /** The same, gathering if the neighbourhood does not do for x. */
   SurfaceValue EvaluateNear(const Real3& x, int order, Neighbourhood& near) const
   {
-    if (near.LeavesOf != this->Number || !(Length(Difference(x, near.Centre)) <= near.Margin))
+    if (near.Of != this->Number || !(Length(Difference(x, near.Centre)) <= near.Margin))
     {
       this->Gather(x, 0.0, near);
     }
@@ -154,14 +151,12 @@ public:
   double LargestWidth() const { return this->MostWidth; }
 
   /** Whether samples have widths of their own. */
-  bool IsUneven() const { return !this->NodeReaches.empty(); }
+  bool IsUneven() const { return this->Groups->IsUneven(); }
 
   /** How far the i-th sample of the tree reaches. */
   double ReachOf(std::int32_t i) const
   {
-    return this->IsUneven()
-      ? 1.0 / std::sqrt(this->InverseSquaredReaches[static_cast<std::size_t>(i)])
-      : this->R;
+    return this->IsUneven() ? 1.0 / std::sqrt(this->Groups->Of(i, 6)) : this->R;
   }
 
   /** The width of the i-th sample of the tree. */
@@ -169,30 +164,28 @@ public:
 
   SurfaceDefinition Definition() const { return this->Kind; }
   const PointTree& Samples() const { return *this->Tree; }
-  Real3 SampleNormal(std::int32_t i) const;
+  Real3 SampleNormal(std::int32_t i) const
+  {
+    return { this->Groups->Of(i, 3), this->Groups->Of(i, 4), this->Groups->Of(i, 5) };
+  }
 
 private:
   SurfaceValue EvaluateUnbiased(const Real3& x, int order, Neighbourhood& near) const;
   SurfaceValue EvaluateAmentaKil(const Real3& x, int order, Neighbourhood& near) const;
-  void TakeWidths(const std::vector<double>& widths);
-  void CollectLeaves(const Real3& x, double margin, Neighbourhood& near) const;
-  void GatherEven(std::int32_t begin, std::int32_t end, Neighbourhood& near) const;
-  void GatherUneven(std::int32_t begin, std::int32_t end, Neighbourhood& near) const;
+  std::vector<double> TakeWidths(const std::vector<double>& widths);
+  void Copy(Neighbourhood& near) const;
   SurfaceValue ProjectByNewton(Real3& x, Neighbourhood& near) const;
   SurfaceValue ProjectByEnergy(Real3& x, Neighbourhood& near) const;
   bool StepToLeastEnergy(Real3& x, Neighbourhood& near, double& step) const;
 
   std::shared_ptr<const PointTree> Tree;
   std::uint64_t Number;
-  std::array<std::vector<double>, 3> Normals; ///< in the order of the tree
   SurfaceDefinition Kind;
   double H;
   double R;
   double Narrow = 0.0;
   double MostWidth = 0.0;
-  // Of samples in the order of the tree, and of its nodes; empty if all have the same width.
-  std::vector<double> InverseSquaredReaches;
-  std::vector<double> NodeReaches;
+  std::unique_ptr<const SampleGroups> Groups;
 };
 
 /** Curvatures of a surface where its defining function has these derivatives. A sphere with its

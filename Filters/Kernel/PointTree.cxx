@@ -11,8 +11,6 @@ namespace sb
 namespace
 {
 
-constexpr std::int64_t PointsInALeaf = 24;
-
 bool Precedes(const Real3& a, const Real3& b, std::size_t firstAxis)
 {
   for (std::size_t k = 0; k < 3; ++k)
@@ -49,7 +47,7 @@ PointTree::PointTree(
   }
   const std::int64_t kept = static_cast<std::int64_t>(records.size());
   this->Ids.resize(records.size());
-  while ((kept >> this->Levels) > PointsInALeaf)
+  while (((kept + GroupSize - 1) / GroupSize >> this->Levels) > 1)
   {
     ++this->Levels;
   }
@@ -110,8 +108,8 @@ void PointTree::Split(std::vector<Record>& records, int level, Executor& executo
   executor.For(std::int64_t(1) << level, 1, [&](std::int64_t begin, std::int64_t end) {
     for (std::int64_t node = begin; node < end; ++node)
     {
-      const auto first = records.begin() + (count * node >> level);
-      const auto last = records.begin() + (count * (node + 1) >> level);
+      const auto first = records.begin() + StartOf(node, level, count);
+      const auto last = records.begin() + StartOf(node + 1, level, count);
       Box box{ first->Position, first->Position };
       for (auto record = first; record != last; ++record)
       {
@@ -134,7 +132,7 @@ void PointTree::Split(std::vector<Record>& records, int level, Executor& executo
       }
       else
       {
-        const auto middle = records.begin() + (count * (2 * node + 1) >> (level + 1));
+        const auto middle = records.begin() + StartOf(2 * node + 1, level + 1, count);
         std::nth_element(first, middle, last, less);
       }
     }

@@ -8,7 +8,8 @@
  * The tree has no pointers: a node is split at the middle of its range of points, so that the range
  * of each node follows from its number. The points are stored in the order of the leaves, axis by
  * axis; neighbours in space are neighbours in memory. That order depends on the coordinates only,
- * so a permuted cloud gives the same tree, and sums over neighbours the same bits.
+ * so a permuted cloud gives the same tree, and sums over neighbours the same bits. Ranges start at
+ * multiples of GroupSize, so that points can be worked on in groups, as registers hold them.
  */
 #ifndef sb_PointTree_h
 #define sb_PointTree_h
@@ -16,6 +17,7 @@
 #include "Executor.h"
 #include "Real3.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -26,6 +28,9 @@ namespace sb
 class PointTree
 {
 public:
+  /** A leaf holds one or two groups of so many points; the last group of all may not be full. */
+  static constexpr std::int64_t GroupSize = 8;
+
   PointTree() = default;
 
   /**
@@ -166,7 +171,14 @@ private:
   std::int32_t StartOf(std::int64_t leaf) const
   {
     return static_cast<std::int32_t>(
-      static_cast<std::int64_t>(this->Ids.size()) * leaf >> this->Levels);
+      StartOf(leaf, this->Levels, static_cast<std::int64_t>(this->Ids.size())));
+  }
+
+  /** First of `count` points in a node, of those of its level. */
+  static std::int64_t StartOf(std::int64_t node, int level, std::int64_t count)
+  {
+    const std::int64_t groups = (count + GroupSize - 1) / GroupSize;
+    return std::min(count, GroupSize * (groups * node >> level));
   }
 
   std::array<std::vector<double>, 3> Axes;

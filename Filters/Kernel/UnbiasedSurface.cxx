@@ -4,10 +4,6 @@
 
 #include "Lanes.h"
 
-#if defined(__GNUC__) && defined(__x86_64__)
-#define SB_WITH_AVX
-#endif
-
 namespace sb
 {
 namespace
@@ -15,7 +11,10 @@ namespace
 
 constexpr double ThinnestSpread = 1e-10; ///< of D - B.B / W to D: all samples in one place
 
-using Lanes3 = Lanes[3];
+constexpr std::size_t GroupSize = SampleGroups::Size;
+
+template <class L>
+using Three = L[3];
 
 struct Sums
 {
@@ -50,132 +49,150 @@ struct Influence
 };
 
 /** One sample in each lane, as seen from x. */
-template <bool Uneven>
-struct FourSamples
+template <class L, bool Uneven>
+struct SeenSamples
 {
-  Lanes3 Away;
-  Lanes3 Normal;
-  Lanes Squared;
-  Lanes Height; ///< v . d
-  Lanes Left; ///< 1 - |d|^2 / R^2
-  Lanes Inverse; ///< 1 / R^2
+  L Away[3];
+  L Normal[3];
+  L Squared;
+  L Height; ///< v . d
+  L Left; ///< 1 - |d|^2 / R^2
+  L Inverse; ///< 1 / R^2
 
-  FourSamples(const Lanes3& x, const SampleRows& rows, std::size_t i)
+  SeenSamples(const Three<L>& x, const double* samples, double commonInverse)
   {
-    for (int a = 0; a < 3; ++a)
+    for (std::size_t a = 0; a < 3; ++a)
     {
-      Load(this->Away[a], rows.Position[a] + i);
+      Load(this->Away[a], samples + a * GroupSize);
       this->Away[a] = x[a] - this->Away[a];
-      Load(this->Normal[a], rows.Normal[a] + i);
+      Load(this->Normal[a], samples + (3 + a) * GroupSize);
     }
     if constexpr (Uneven)
     {
-      Load(this->Inverse, rows.InverseSquaredReach + i);
+      Load(this->Inverse, samples + 6 * GroupSize);
     }
     else
     {
-      Fill(this->Inverse, rows.CommonInverseSquaredReach);
+      Fill(this->Inverse, commonInverse);
     }
     this->Squared =
       this->Away[0] * this->Away[0] + this->Away[1] * this->Away[1] + this->Away[2] * this->Away[2];
     this->Height = this->Away[0] * this->Normal[0] + this->Away[1] * this->Normal[1] +
       this->Away[2] * this->Normal[2];
-    Lanes one;
+    L one;
     Fill(one, 1.0);
     this->Left = one - this->Squared * this->Inverse;
   }
 };
 
-/** The sums; and in Room, for each sample: the slope of its weight by d, v . d, and |d|^2. */
-template <bool Uneven, bool WithSlopes>
-Sums SumUp(const Real3& place, const SampleRows& rows)
+template <class L>
+inline void Spread(const Real3& a, Three<L>& lanes)
 {
-  Lanes3 x;
-  Lanes3 b{}, n{};
-  Lanes neighbours{}, w{}, k{}, squares{}, u{}, minusEight;
-  Fill(minusEight, -8.0);
-  for (int a = 0; a < 3; ++a)
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    Fill(x[a], place[static_cast<std::size_t>(a)]);
+    Fill(lanes[axis], a[axis]);
   }
-  for (std::size_t i = 0; i < rows.Count; i += NumberOfLanes)
-  {
-    const FourSamples<Uneven> at(x, rows, i);
-    CountPositive(neighbours, at.Left);
-    Lanes t = at.Left;
-    KeepPositive(t);
-    const Lanes t2 = t * t;
-    const Lanes t3 = t2 * t;
-    const Lanes th = t3 * t;
-    w += th;
-    k += th * at.Height;
-    squares += th * at.Squared;
-    if constexpr (Uneven)
-    {
-      u += th * at.Inverse;
-    }
-    for (int a = 0; a < 3; ++a)
-    {
-      b[a] += th * at.Away[a];
-      n[a] += th * at.Normal[a];
-    }
-    if constexpr (WithSlopes)
-    {
-      const Lanes slope = minusEight * at.Inverse * t3;
-      Store(rows.Room[0] + i, slope);
-      Store(rows.Room[1] + i, at.Height);
-      Store(rows.Room[2] + i, at.Squared);
-    }
-  }
+}
+
+/** The sums; and in Room, for each sample: the slope of its weight by d, v . d, and |d|^2. */
+template <class L, bool Uneven, bool WithSlopes>
+Sums SumUp(const Real3& place, const NearGroups& near)
+{
+  Three<L> x;
+  Spread(place, x);
   Sums sums;
-  sums.Neighbours = Sum(neighbours);
-  sums.W = Sum(w);
-  sums.K = Sum(k);
-  sums.D = Sum(squares);
-  sums.U = Uneven ? Sum(u) : rows.CommonInverseSquaredReach * sums.W;
-  sums.B = { Sum(b[0]), Sum(b[1]), Sum(b[2]) };
-  sums.N = { Sum(n[0]), Sum(n[1]), Sum(n[2]) };
+  for (std::size_t part = 0; part < GroupSize; part += NumberOfLanes<L>)
+  {
+    Three<L> b{}, n{};
+    L neighbours{}, w{}, k{}, squares{}, u{};
+    for (std::size_t i = 0; i < near.Count; ++i)
+    {
+      const SeenSamples<L, Uneven> at(x, near.Groups[i] + part, near.CommonInverseSquaredReach);
+      CountPositive(neighbours, at.Left);
+      L t = at.Left;
+      KeepPositive(t);
+      const L t2 = t * t;
+      const L t3 = t2 * t;
+      const L th = t3 * t;
+      w += th;
+      k += th * at.Height;
+      squares += th * at.Squared;
+      if constexpr (Uneven)
+      {
+        u += th * at.Inverse;
+      }
+      for (int a = 0; a < 3; ++a)
+      {
+        b[a] += th * at.Away[a];
+        n[a] += th * at.Normal[a];
+      }
+      if constexpr (WithSlopes)
+      {
+        double* const room = near.Room + i * RoomOfGroup + part;
+        const L slope = -8.0 * at.Inverse * t3;
+        Store(room, slope);
+        Store(room + GroupSize, at.Height);
+        Store(room + 2 * GroupSize, at.Squared);
+      }
+    }
+    sums.Neighbours += Sum(neighbours);
+    sums.W += Sum(w);
+    sums.K += Sum(k);
+    sums.D += Sum(squares);
+    sums.U += Uneven ? Sum(u) : 0.0;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      sums.B[a] += Sum(b[a]);
+      sums.N[a] += Sum(n[a]);
+    }
+  }
+  sums.U = Uneven ? sums.U : near.CommonInverseSquaredReach * sums.W;
   return sums;
 }
 
 /** sum (influence on a weight) grad th, from what SumUp noted. */
-inline Real3 SumOfSlopes(const Real3& place, const SampleRows& rows, const Influence& influence)
+template <class L>
+inline Real3 SumOfSlopes(const Real3& place, const NearGroups& near, const Influence& influence)
 {
-  Lanes3 x, ofB, ofN;
-  Lanes3 sum{};
-  Lanes ofW, ofK, ofD;
+  Three<L> x, ofB, ofN;
+  Spread(place, x);
+  Spread(influence.B, ofB);
+  Spread(influence.N, ofN);
+  L ofW;
   Fill(ofW, influence.W);
-  Fill(ofK, influence.K);
-  Fill(ofD, influence.D);
-  for (int a = 0; a < 3; ++a)
+  Real3 result{};
+  for (std::size_t part = 0; part < GroupSize; part += NumberOfLanes<L>)
   {
-    const std::size_t axis = static_cast<std::size_t>(a);
-    Fill(x[a], place[axis]);
-    Fill(ofB[a], influence.B[axis]);
-    Fill(ofN[a], influence.N[axis]);
-  }
-  for (std::size_t i = 0; i < rows.Count; i += NumberOfLanes)
-  {
-    Lanes3 away, normal;
-    Lanes slope, height, squared;
-    Load(slope, rows.Room[0] + i);
-    Load(height, rows.Room[1] + i);
-    Load(squared, rows.Room[2] + i);
-    Lanes number = ofW + ofK * height + ofD * squared;
-    for (int a = 0; a < 3; ++a)
+    Three<L> sum{};
+    for (std::size_t i = 0; i < near.Count; ++i)
     {
-      Load(away[a], rows.Position[a] + i);
-      away[a] = x[a] - away[a];
-      Load(normal[a], rows.Normal[a] + i);
-      number += ofB[a] * away[a] + ofN[a] * normal[a];
+      const double* const samples = near.Groups[i] + part;
+      const double* const room = near.Room + i * RoomOfGroup + part;
+      Three<L> away;
+      L normal, slope, height, squared;
+      Load(slope, room);
+      Load(height, room + GroupSize);
+      Load(squared, room + 2 * GroupSize);
+      L number = ofW + influence.K * height + influence.D * squared;
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        Load(away[a], samples + a * GroupSize);
+        away[a] = x[a] - away[a];
+        Load(normal, samples + (3 + a) * GroupSize);
+        number += ofB[a] * away[a] + ofN[a] * normal;
+      }
+      number = number * slope;
+      for (int a = 0; a < 3; ++a)
+      {
+        sum[a] += number * away[a];
+      }
     }
-    number = number * slope;
-    for (int a = 0; a < 3; ++a)
+    for (std::size_t a = 0; a < 3; ++a)
     {
-      sum[a] += number * away[a];
+      result[a] += Sum(sum[a]);
     }
   }
-  return { Sum(sum[0]), Sum(sum[1]), Sum(sum[2]) };
+  return result;
 }
 
 /** n, k and F from the sums, and how F changes with them. */
@@ -227,45 +244,53 @@ Real3 SlopeBesideWeights(const Sums& sums, const Influence& influence)
 }
 
 /** All slopes of the sums. */
-template <bool Uneven>
-SlopesOfSums SumSlopes(const Real3& place, const SampleRows& rows, const Sums& sums)
+template <class L, bool Uneven>
+SlopesOfSums SumSlopes(const Real3& place, const NearGroups& near, const Sums& sums)
 {
-  Lanes3 x;
-  Lanes3 w{}, k{}, squares{};
-  Lanes3 n[3] = {};
-  Lanes3 spread[3] = {};
-  for (int a = 0; a < 3; ++a)
+  Three<L> x;
+  Spread(place, x);
+  SlopesOfSums slopes;
+  for (std::size_t part = 0; part < GroupSize; part += NumberOfLanes<L>)
   {
-    Fill(x[a], place[static_cast<std::size_t>(a)]);
-  }
-  for (std::size_t i = 0; i < rows.Count; i += NumberOfLanes)
-  {
-    const FourSamples<Uneven> at(x, rows, i);
-    Lanes slope;
-    Load(slope, rows.Room[0] + i);
-    for (int c = 0; c < 3; ++c)
+    Three<L> w{}, k{}, squares{};
+    Three<L> n[3] = {};
+    Three<L> spread[3] = {};
+    for (std::size_t i = 0; i < near.Count; ++i)
     {
-      const Lanes thc = slope * at.Away[c];
-      w[c] += thc;
-      k[c] += thc * at.Height;
-      squares[c] += thc * at.Squared;
-      for (int a = 0; a < 3; ++a)
+      const SeenSamples<L, Uneven> at(x, near.Groups[i] + part, near.CommonInverseSquaredReach);
+      L slope;
+      Load(slope, near.Room + i * RoomOfGroup + part);
+      for (int c = 0; c < 3; ++c)
       {
-        n[a][c] += thc * at.Normal[a];
-        spread[a][c] += thc * at.Away[a];
+        const L thc = slope * at.Away[c];
+        w[c] += thc;
+        k[c] += thc * at.Height;
+        squares[c] += thc * at.Squared;
+        for (int a = 0; a < 3; ++a)
+        {
+          n[a][c] += thc * at.Normal[a];
+          spread[a][c] += thc * at.Away[a];
+        }
+      }
+    }
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      slopes.W[c] += Sum(w[c]);
+      slopes.K[c] += Sum(k[c]);
+      slopes.D[c] += Sum(squares[c]);
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        slopes.N[a][c] += Sum(n[a][c]);
+        slopes.Spread[a][c] += Sum(spread[a][c]);
       }
     }
   }
-  SlopesOfSums slopes;
   for (std::size_t c = 0; c < 3; ++c)
   {
-    slopes.W[c] = Sum(w[c]);
-    slopes.K[c] = Sum(k[c]) + sums.N[c];
-    slopes.D[c] = Sum(squares[c]) + 2.0 * sums.B[c];
+    slopes.K[c] += sums.N[c];
+    slopes.D[c] += 2.0 * sums.B[c];
     for (std::size_t a = 0; a < 3; ++a)
     {
-      slopes.N[a][c] = Sum(n[a][c]);
-      slopes.Spread[a][c] = Sum(spread[a][c]);
       slopes.B[a][c] = slopes.Spread[a][c] + (a == c ? sums.W : 0.0);
     }
   }
@@ -279,57 +304,61 @@ struct SecondSums
   Real3x3 OfW{}; ///< sum th_bc
 };
 
-template <bool Uneven>
-SecondSums SumSecond(const Real3& place, const SampleRows& rows, const Influence& influence)
+template <class L, bool Uneven>
+SecondSums SumSecond(const Real3& place, const NearGroups& near, const Influence& influence)
 {
-  Lanes3 x, ofB, ofN;
-  Lanes ofW, ofK, ofD, bend;
-  Lanes ofFWith[3][3] = {};
-  Lanes ofWWith[3][3] = {};
-  Lanes diagonalOfF{}, diagonalOfW{};
+  Three<L> x, ofB, ofN;
+  Spread(place, x);
+  Spread(influence.B, ofB);
+  Spread(influence.N, ofN);
+  L ofW;
   Fill(ofW, influence.W);
-  Fill(ofK, influence.K);
-  Fill(ofD, influence.D);
-  Fill(bend, 48.0);
-  for (int a = 0; a < 3; ++a)
+  SecondSums sums;
+  for (std::size_t part = 0; part < GroupSize; part += NumberOfLanes<L>)
   {
-    const std::size_t axis = static_cast<std::size_t>(a);
-    Fill(x[a], place[axis]);
-    Fill(ofB[a], influence.B[axis]);
-    Fill(ofN[a], influence.N[axis]);
-  }
-  for (std::size_t i = 0; i < rows.Count; i += NumberOfLanes)
-  {
-    const FourSamples<Uneven> at(x, rows, i);
-    Lanes number = ofW + ofK * at.Height + ofD * at.Squared;
-    for (int a = 0; a < 3; ++a)
+    Three<L> ofFWith[3] = {};
+    Three<L> ofWWith[3] = {};
+    L diagonalOfF{}, diagonalOfW{};
+    for (std::size_t i = 0; i < near.Count; ++i)
     {
-      number += ofB[a] * at.Away[a] + ofN[a] * at.Normal[a];
-    }
-    Lanes t = at.Left;
-    KeepPositive(t);
-    const Lanes second = bend * at.Inverse * at.Inverse * t * t;
-    Lanes first;
-    Load(first, rows.Room[0] + i);
-    diagonalOfW += first;
-    diagonalOfF += first * number;
-    for (int r = 0; r < 3; ++r)
-    {
-      for (int c = 0; c <= r; ++c)
+      const SeenSamples<L, Uneven> at(x, near.Groups[i] + part, near.CommonInverseSquaredReach);
+      L number = ofW + influence.K * at.Height + influence.D * at.Squared;
+      for (int a = 0; a < 3; ++a)
       {
-        const Lanes thrc = second * at.Away[r] * at.Away[c];
-        ofWWith[r][c] += thrc;
-        ofFWith[r][c] += number * thrc;
+        number += ofB[a] * at.Away[a] + ofN[a] * at.Normal[a];
+      }
+      L t = at.Left;
+      KeepPositive(t);
+      const L second = 48.0 * at.Inverse * at.Inverse * t * t;
+      L first;
+      Load(first, near.Room + i * RoomOfGroup + part);
+      diagonalOfW += first;
+      diagonalOfF += first * number;
+      for (int r = 0; r < 3; ++r)
+      {
+        for (int c = 0; c <= r; ++c)
+        {
+          const L thrc = second * at.Away[r] * at.Away[c];
+          ofWWith[r][c] += thrc;
+          ofFWith[r][c] += number * thrc;
+        }
+      }
+    }
+    for (std::size_t r = 0; r < 3; ++r)
+    {
+      for (std::size_t c = 0; c <= r; ++c)
+      {
+        sums.OfF[r][c] += Sum(ofFWith[r][c]) + (r == c ? Sum(diagonalOfF) : 0.0);
+        sums.OfW[r][c] += Sum(ofWWith[r][c]) + (r == c ? Sum(diagonalOfW) : 0.0);
       }
     }
   }
-  SecondSums sums;
   for (std::size_t r = 0; r < 3; ++r)
   {
-    for (std::size_t c = 0; c <= r; ++c)
+    for (std::size_t c = r + 1; c < 3; ++c)
     {
-      sums.OfF[r][c] = sums.OfF[c][r] = Sum(ofFWith[r][c]) + (r == c ? Sum(diagonalOfF) : 0.0);
-      sums.OfW[r][c] = sums.OfW[c][r] = Sum(ofWWith[r][c]) + (r == c ? Sum(diagonalOfW) : 0.0);
+      sums.OfF[r][c] = sums.OfF[c][r];
+      sums.OfW[r][c] = sums.OfW[c][r];
     }
   }
   return sums;
@@ -423,12 +452,12 @@ void DivideByWeights(double w, const Real3& wb, const Real3x3& wbc, UnbiasedValu
   }
 }
 
-template <bool Uneven>
+template <class L, bool Uneven>
 void AddSecondOrder(
-  const Real3& x, const SampleRows& rows, const Sums& sums, const Fit& fit, UnbiasedValue& f)
+  const Real3& x, const NearGroups& near, const Sums& sums, const Fit& fit, UnbiasedValue& f)
 {
-  const SlopesOfSums slopes = SumSlopes<Uneven>(x, rows, sums);
-  const SecondSums second = SumSecond<Uneven>(x, rows, fit.By);
+  const SlopesOfSums slopes = SumSlopes<L, Uneven>(x, near, sums);
+  const SecondSums second = SumSecond<L, Uneven>(x, near, fit.By);
   f.Hessian = HessianOf(sums, slopes, fit, second.OfF);
   f.Gradient =
     PlusScaled(PlusScaled(Scaled(slopes.W, fit.By.W), fit.By.K, slopes.K), fit.By.D, slopes.D);
@@ -437,10 +466,10 @@ void AddSecondOrder(
   DivideByWeights(sums.W, slopes.W, second.OfW, f);
 }
 
-template <bool Uneven>
-inline UnbiasedValue Evaluate(const Real3& x, int order, const SampleRows& rows)
+template <class L, bool Uneven>
+inline UnbiasedValue EvaluateSamples(const Real3& x, int order, const NearGroups& near)
 {
-  const Sums sums = order > 0 ? SumUp<Uneven, true>(x, rows) : SumUp<Uneven, false>(x, rows);
+  const Sums sums = order > 0 ? SumUp<L, Uneven, true>(x, near) : SumUp<L, Uneven, false>(x, near);
   UnbiasedValue f;
   f.Neighbours = sums.Neighbours;
   if (!(sums.W > 0.0))
@@ -456,41 +485,55 @@ inline UnbiasedValue Evaluate(const Real3& x, int order, const SampleRows& rows)
   f.MeanInverseSquaredReach = sums.U / sums.W;
   if (order > 1 && fit.Size > 0.0)
   {
-    AddSecondOrder<Uneven>(x, rows, sums, fit, f);
+    AddSecondOrder<L, Uneven>(x, near, sums, fit, f);
   }
   else if (order > 0)
   {
     Influence influence = fit.By;
     const Real3 beside = SlopeBesideWeights(sums, influence);
     influence.W -= 2.0 * f.Value; // what dividing by W adds
-    const Real3 sum = PlusScaled(SumOfSlopes(x, rows, influence), 1.0, beside);
+    const Real3 sum = PlusScaled(SumOfSlopes<L>(x, near, influence), 1.0, beside);
     f.Gradient = Scaled(sum, 0.5 / sums.W);
   }
   return f;
 }
 
-#ifdef SB_WITH_AVX
-__attribute__((target("avx"), flatten)) UnbiasedValue EvaluateByFour(
-  const Real3& x, int order, const SampleRows& rows)
+template <class L>
+inline UnbiasedValue Evaluate(const Real3& x, int order, const NearGroups& near)
 {
-  return rows.InverseSquaredReach ? Evaluate<true>(x, order, rows)
-                                  : Evaluate<false>(x, order, rows);
+  return near.Uneven ? EvaluateSamples<L, true>(x, order, near)
+                     : EvaluateSamples<L, false>(x, order, near);
+}
+
+#ifdef SB_WITH_AVX
+__attribute__((target("avx512f,prefer-vector-width=512"), flatten)) UnbiasedValue EvaluateByEight(
+  const Real3& x, int order, const NearGroups& near)
+{
+  return Evaluate<WideLanes>(x, order, near);
+}
+__attribute__((target("avx"), flatten)) UnbiasedValue EvaluateByFour(
+  const Real3& x, int order, const NearGroups& near)
+{
+  return Evaluate<Lanes>(x, order, near);
 }
 #endif
 
 } // namespace
 
-UnbiasedValue EvaluateUnbiased(const Real3& x, int order, const SampleRows& rows)
+UnbiasedValue EvaluateUnbiased(const Real3& x, int order, const NearGroups& near)
 {
 #ifdef SB_WITH_AVX
-  static const bool hasAVX = __builtin_cpu_supports("avx") != 0;
-  if (hasAVX)
+  static const int lanes = LanesOfMachine();
+  if (lanes == 8)
   {
-    return EvaluateByFour(x, order, rows);
+    return EvaluateByEight(x, order, near);
+  }
+  if (lanes == 4)
+  {
+    return EvaluateByFour(x, order, near);
   }
 #endif
-  return rows.InverseSquaredReach ? Evaluate<true>(x, order, rows)
-                                  : Evaluate<false>(x, order, rows);
+  return Evaluate<Lanes>(x, order, near);
 }
 
 } // namespace sb

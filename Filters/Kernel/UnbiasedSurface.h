@@ -22,23 +22,23 @@
 #define sb_UnbiasedSurface_h
 
 #include "Real3.h"
+#include "SampleGroups.h"
 
 #include <cstddef>
 
 namespace sb
 {
 
-/** Samples near a place, coordinate by coordinate, a multiple of four of them; the last ones may be
- * out of reach. */
-struct SampleRows
+/** What lies near a place; samples out of reach do no harm. */
+struct NearGroups
 {
+  const double* const* Groups = nullptr; ///< as SampleGroups packs them
   std::size_t Count = 0;
-  const double* Position[3] = {};
-  const double* Normal[3] = {};
-  const double* InverseSquaredReach = nullptr; ///< of each sample; null if it is the same for all
+  bool Uneven = false; ///< each sample has its own reach; else it is the same for all
   double CommonInverseSquaredReach = 0.0;
-  double* Room[3] = {}; ///< to note what the derivatives need
+  double* Room = nullptr; ///< to note what the derivatives need: RoomOfGroup numbers for each group
 };
+constexpr std::size_t RoomOfGroup = 3 * SampleGroups::Size;
 
 /** F / (2 W) with its derivatives up to the wanted order, and what is known of the place. */
 struct UnbiasedValue
@@ -53,7 +53,7 @@ struct UnbiasedValue
   double MeanInverseSquaredReach = 0.0;
 };
 
-UnbiasedValue EvaluateUnbiased(const Real3& x, int order, const SampleRows& rows);
+UnbiasedValue EvaluateUnbiased(const Real3& x, int order, const NearGroups& near);
 
 } // namespace sb
 
