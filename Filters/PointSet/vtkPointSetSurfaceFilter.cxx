@@ -16,7 +16,6 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -41,23 +40,6 @@ namespace
 constexpr double LargestShare = 0.2; ///< of doubtful or invalid points that goes without a warning
 constexpr double LargestThinShare = 0.001; ///< the same of points on walls that are too thin
 
-vtkSmartPointer<vtkDoubleArray> NewDoubles(const char* name, int components, vtkIdType count)
-{
-  const auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(count);
-  return array;
-}
-
-vtkSmartPointer<vtkUnsignedCharArray> NewBytes(const char* name, vtkIdType count)
-{
-  const auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  array->SetName(name);
-  array->SetNumberOfTuples(count);
-  return array;
-}
-
 /** What a closed mesh encloses; negative if it is inside out. */
 double VolumeOf(const sb::PointSurfaceMesh& mesh)
 {
@@ -77,8 +59,8 @@ double VolumeOf(const sb::PointSurfaceMesh& mesh)
 void AddCurvatures(vtkPolyData* output, vtkDoubleArray* maximum, vtkDoubleArray* minimum)
 {
   const vtkIdType count = maximum->GetNumberOfTuples();
-  const auto mean = NewDoubles("MeanCurvature", 1, count);
-  const auto gauss = NewDoubles("GaussCurvature", 1, count);
+  const auto mean = sbvtk::NewArray<vtkDoubleArray>("MeanCurvature", 1, count);
+  const auto gauss = sbvtk::NewArray<vtkDoubleArray>("GaussCurvature", 1, count);
   const double* const largest = maximum->GetPointer(0);
   const double* const least = minimum->GetPointer(0);
   for (vtkIdType i = 0; i < count; ++i)
@@ -252,13 +234,12 @@ void vtkPointSetSurfaceFilter::Run::Sample()
 {
   const vtkIdType count = this->Count();
   this->Points->GetPointData()->PassData(this->Input.Data()->GetPointData());
-  this->Places = NewDoubles("Points", 3, count);
-  const auto normals = NewDoubles("Normals", 3, count);
-  std::copy(this->Cloud.Normals.begin(), this->Cloud.Normals.end(), normals->GetPointer(0));
-  const auto residual = NewDoubles("Residual", 1, count);
-  const auto validity = NewBytes("Validity", count);
-  const auto maximum = NewDoubles("MaximumCurvature", 1, count);
-  const auto minimum = NewDoubles("MinimumCurvature", 1, count);
+  this->Places = sbvtk::NewArray<vtkDoubleArray>("Points", 3, count);
+  const auto normals = sbvtk::ArrayOf<vtkDoubleArray>("Normals", 3, this->Cloud.Normals);
+  const auto residual = sbvtk::NewArray<vtkDoubleArray>("Residual", 1, count);
+  const auto validity = sbvtk::NewArray<vtkUnsignedCharArray>("Validity", 1, count);
+  const auto maximum = sbvtk::NewArray<vtkDoubleArray>("MaximumCurvature", 1, count);
+  const auto minimum = sbvtk::NewArray<vtkDoubleArray>("MinimumCurvature", 1, count);
   sb::CloudArrays arrays;
   arrays.Projected = this->Places->GetPointer(0);
   arrays.Normal = normals->GetPointer(0);
@@ -306,7 +287,7 @@ void vtkPointSetSurfaceFilter::Run::Sample()
 void vtkPointSetSurfaceFilter::Run::MarkDoubtful(const double* normals)
 {
   const vtkIdType count = this->Count();
-  this->Doubtful = NewBytes("DoubtfulNormal", count);
+  this->Doubtful = sbvtk::NewArray<vtkUnsignedCharArray>("DoubtfulNormal", 1, count);
   unsigned char* const doubtful = this->Doubtful->GetPointer(0);
   const double* const samples = this->Cloud.Normals.data();
   vtkIdType total = 0;
@@ -375,10 +356,8 @@ void vtkPointSetSurfaceFilter::Run::BuildMesh()
   this->NumberOfSpecks = static_cast<vtkIdType>(mesh.NumberOfSpecks);
   this->IsInsideOut = mesh.NumberOfBorderEdges == 0 && VolumeOf(mesh) < 0.0;
   const vtkIdType count = static_cast<vtkIdType>(mesh.Points.size() / 3);
-  const auto coordinates = NewDoubles("Points", 3, count);
-  std::copy(mesh.Points.begin(), mesh.Points.end(), coordinates->GetPointer(0));
-  const auto normals = NewDoubles("Normals", 3, count);
-  std::copy(mesh.Normals.begin(), mesh.Normals.end(), normals->GetPointer(0));
+  const auto coordinates = sbvtk::ArrayOf<vtkDoubleArray>("Points", 3, mesh.Points);
+  const auto normals = sbvtk::ArrayOf<vtkDoubleArray>("Normals", 3, mesh.Normals);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetData(coordinates);
@@ -398,8 +377,8 @@ void vtkPointSetSurfaceFilter::Run::BuildMesh()
   this->Mesh->GetPointData()->SetNormals(normals);
   if (this->Filter->ComputeCurvatures)
   {
-    const auto maximum = NewDoubles("MaximumCurvature", 1, count);
-    const auto minimum = NewDoubles("MinimumCurvature", 1, count);
+    const auto maximum = sbvtk::NewArray<vtkDoubleArray>("MaximumCurvature", 1, count);
+    const auto minimum = sbvtk::NewArray<vtkDoubleArray>("MinimumCurvature", 1, count);
     sb::CloudArrays arrays;
     arrays.MaximumCurvature = maximum->GetPointer(0);
     arrays.MinimumCurvature = minimum->GetPointer(0);
