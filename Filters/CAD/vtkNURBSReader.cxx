@@ -14,7 +14,6 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
@@ -38,18 +37,6 @@ namespace
 {
 
 constexpr std::int64_t mostTriangles = 10000000;
-
-/** A VTK array with a copy of the values. */
-template <typename Array, typename Value>
-vtkSmartPointer<Array> ArrayOf(const char* name, int components, const std::vector<Value>& values)
-{
-  const auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  return array;
-}
 
 } // namespace
 
@@ -257,7 +244,7 @@ void vtkNURBSReader::Run::FillOutput()
   const sb::DesignedSurface& surface = this->Facets.Surface;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->SetData(ArrayOf<vtkDoubleArray>("Points", 3, surface.Points));
+  points->SetData(sbvtk::ArrayOf<vtkDoubleArray>("Points", 3, surface.Points));
   std::vector<int> offsets(surface.FaceId.size() + 1);
   std::vector<int> solids(surface.FaceId.size());
   for (std::size_t i = 0; i < surface.FaceId.size(); ++i)
@@ -266,16 +253,16 @@ void vtkNURBSReader::Run::FillOutput()
     solids[i] = this->Facets.SolidOfFace[static_cast<std::size_t>(surface.FaceId[i])];
   }
   vtkNew<vtkCellArray> cells;
-  cells->SetData(ArrayOf<vtkTypeInt32Array>("", 1, offsets),
-    ArrayOf<vtkTypeInt32Array>("", 1, surface.Triangles));
+  cells->SetData(sbvtk::ArrayOf<vtkTypeInt32Array>("", 1, offsets),
+    sbvtk::ArrayOf<vtkTypeInt32Array>("", 1, surface.Triangles));
   this->Output->SetPoints(points);
   this->Output->SetPolys(cells);
   vtkPointData* pointData = this->Output->GetPointData();
-  pointData->SetNormals(ArrayOf<vtkDoubleArray>("Normals", 3, this->Facets.Normals));
-  pointData->AddArray(ArrayOf<vtkDoubleArray>(sbvtk::ParametersArray, 2, surface.UV));
+  pointData->SetNormals(sbvtk::ArrayOf<vtkDoubleArray>("Normals", 3, this->Facets.Normals));
+  pointData->AddArray(sbvtk::ArrayOf<vtkDoubleArray>(sbvtk::ParametersArray, 2, surface.UV));
   vtkCellData* cellData = this->Output->GetCellData();
-  cellData->AddArray(ArrayOf<vtkIntArray>(sbvtk::FaceArray, 1, surface.FaceId));
-  cellData->AddArray(ArrayOf<vtkIntArray>("SolidId", 1, solids));
+  cellData->AddArray(sbvtk::ArrayOf<vtkIntArray>(sbvtk::FaceArray, 1, surface.FaceId));
+  cellData->AddArray(sbvtk::ArrayOf<vtkIntArray>("SolidId", 1, solids));
   sbvtk::AttachPatches(this->Output, surface.Patches);
   this->Times.push_back({ "Build output", this->Watch.Lap() });
 }

@@ -17,7 +17,6 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
@@ -348,8 +347,7 @@ void vtkPolyDataClipClosedSurface::Run::AddFields(int status, const std::string&
   }
   sbvtk::AddField(this->Surface, "Status", status);
   sbvtk::AddField(this->Surface, "Message", message);
-  sbvtk::AddField<vtkIdTypeArray>(this->Surface, "OpenContourCount",
-    std::vector<vtkIdType>{ static_cast<vtkIdType>(this->Result.OpenContours) });
+  sbvtk::AddCount(this->Surface, "OpenContourCount", this->Result.OpenContours);
   sbvtk::AddField<vtkDoubleArray>(this->Surface, "CapArea", this->Result.CapAreas);
   sbvtk::AddStageFields(this->Surface, this->Times);
 }

@@ -221,8 +221,8 @@ void vtkPolyDataContourTriangulator::Run::AddFields(int status, const std::strin
   this->Output->GetFieldData()->PassData(this->Input->GetFieldData());
   sbvtk::AddField(this->Output, "Status", status);
   sbvtk::AddField(this->Output, "Message", message);
-  sbvtk::AddField<vtkIdTypeArray>(this->Output, "PolygonCount",
-    std::vector<vtkIdType>{ static_cast<vtkIdType>(this->Result.Nesting.size()) });
+  sbvtk::AddCount(
+    this->Output, "PolygonCount", static_cast<std::int64_t>(this->Result.Nesting.size()));
 }
 
 //------------------------------------------------------------------------------

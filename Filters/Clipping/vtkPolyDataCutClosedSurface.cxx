@@ -296,10 +296,9 @@ void vtkPolyDataCutClosedSurface::Run::AddFields(int status, const std::string& 
   }
   sbvtk::AddField(this->Caps, "Status", status);
   sbvtk::AddField(this->Caps, "Message", message);
-  sbvtk::AddField<vtkIdTypeArray>(this->Caps, "OpenContourCount",
-    std::vector<vtkIdType>{ static_cast<vtkIdType>(this->Result.OpenContours) });
-  sbvtk::AddField<vtkIdTypeArray>(this->Caps, "PolygonCount",
-    std::vector<vtkIdType>{ static_cast<vtkIdType>(this->Result.Polygons.size()) });
+  sbvtk::AddCount(this->Caps, "OpenContourCount", this->Result.OpenContours);
+  sbvtk::AddCount(
+    this->Caps, "PolygonCount", static_cast<std::int64_t>(this->Result.Polygons.size()));
   sbvtk::AddField<vtkDoubleArray>(this->Caps, "SliceArea", areas);
   sbvtk::AddStageFields(this->Caps, this->Times);
 }

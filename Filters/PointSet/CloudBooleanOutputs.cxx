@@ -3,6 +3,7 @@
 #include "CloudBooleanOutputs.h"
 
 #include "AttributeUnion.h"
+#include "FieldArrays.h"
 #include "NURBSArrays.h"
 
 #include "vtkCellArray.h"
@@ -27,21 +28,10 @@ namespace sbvtk
 namespace
 {
 
-template <class Array, class Values>
-vtkSmartPointer<Array> MakeArray(const char* name, int components, const Values& values)
-{
-  const auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  return array;
-}
-
 vtkSmartPointer<vtkPoints> MakePoints(const std::vector<double>& coordinates)
 {
   const auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetData(MakeArray<vtkDoubleArray>("Points", 3, coordinates));
+  points->SetData(ArrayOf<vtkDoubleArray>("Points", 3, coordinates));
   return points;
 }
 
@@ -57,7 +47,7 @@ vtkSmartPointer<vtkCellArray> MakeCells(const Ids& corners, std::int64_t perCell
     offsets->GetPointer(0)[i] = i * perCell;
   }
   const auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(offsets, MakeArray<vtkTypeInt64Array>("", 1, corners));
+  cells->SetData(offsets, ArrayOf<vtkTypeInt64Array>("", 1, corners));
   return cells;
 }
 
@@ -88,7 +78,7 @@ void CarryCloudArrays(const CloudInput& input, const std::vector<std::int32_t>& 
 /** The seam's points are marked in all outputs by the same name. */
 void MarkSeam(vtkPolyData* output, const std::vector<std::uint8_t>& onSeam)
 {
-  output->GetPointData()->AddArray(MakeArray<vtkUnsignedCharArray>("SeamPoint", 1, onSeam));
+  output->GetPointData()->AddArray(ArrayOf<vtkUnsignedCharArray>("SeamPoint", 1, onSeam));
 }
 
 void BuildSurface(const CloudBooleanParts& parts, vtkPolyData* surface, sb::Executor& executor)
@@ -105,20 +95,20 @@ void BuildSurface(const CloudBooleanParts& parts, vtkPolyData* surface, sb::Exec
     [](std::uint8_t sides) { return static_cast<std::uint8_t>(sides == 3 ? 1 : 0); });
   vtkPointData* const points = surface->GetPointData();
   points->SetNormals(nullptr); // one normal a point would blur the edges of the tool
-  points->AddArray(MakeArray<vtkDoubleArray>("Normals", 3, result.Normals));
-  points->AddArray(MakeArray<vtkDoubleArray>("Residual", 1, result.Residuals));
+  points->AddArray(ArrayOf<vtkDoubleArray>("Normals", 3, result.Normals));
+  points->AddArray(ArrayOf<vtkDoubleArray>("Residual", 1, result.Residuals));
   MarkSeam(surface, onSeam);
   vtkCellData* const cells = surface->GetCellData();
-  cells->AddArray(MakeArray<vtkIntArray>("SourceId", 1, result.Mesh.Source));
+  cells->AddArray(ArrayOf<vtkIntArray>("SourceId", 1, result.Mesh.Source));
   std::vector<vtkIdType> original(result.ToolTriangle.size());
   std::transform(result.ToolTriangle.begin(), result.ToolTriangle.end(), original.begin(),
     [&](std::int32_t t) { return t < 0 ? -1 : vtkIdType(parts.Tool.CellOfTriangle(t)); });
-  cells->AddArray(MakeArray<vtkIdTypeArray>("OriginalCellId", 1, original));
-  cells->AddArray(MakeArray<vtkDoubleArray>("Confidence", 1, result.Mesh.Confidence));
+  cells->AddArray(ArrayOf<vtkIdTypeArray>("OriginalCellId", 1, original));
+  cells->AddArray(ArrayOf<vtkDoubleArray>("Confidence", 1, result.Mesh.Confidence));
   if (!result.FaceId.empty())
   {
-    cells->AddArray(MakeArray<vtkIntArray>(FaceArray, 1, result.FaceId));
-    points->AddArray(MakeArray<vtkDoubleArray>(ParametersArray, 2, result.UV));
+    cells->AddArray(ArrayOf<vtkIntArray>(FaceArray, 1, result.FaceId));
+    points->AddArray(ArrayOf<vtkDoubleArray>(ParametersArray, 2, result.UV));
   }
 }
 
@@ -173,8 +163,8 @@ void BuildPoints(const CloudBooleanParts& parts, vtkPolyData* output, sb::Execut
     ids.insert(ids.end(), result.SeamSample.begin(), result.SeamSample.end());
     CarryCloudArrays(parts.Input, ids, output->GetPointData(), executor);
   }
-  output->GetPointData()->SetNormals(MakeArray<vtkDoubleArray>("Normals", 3, normals));
-  output->GetPointData()->AddArray(MakeArray<vtkIdTypeArray>("OriginalPointId", 1, original));
+  output->GetPointData()->SetNormals(ArrayOf<vtkDoubleArray>("Normals", 3, normals));
+  output->GetPointData()->AddArray(ArrayOf<vtkIdTypeArray>("OriginalPointId", 1, original));
   MarkSeam(output, onSeam);
 }
 
@@ -204,8 +194,8 @@ void BuildCurves(const sb::CloudBooleanResult& result, vtkPolyData* output)
   }
   output->SetLines(lines);
   vtkPointData* const points = output->GetPointData();
-  points->SetNormals(MakeArray<vtkDoubleArray>("Normals", 3, Flat(seam.Normals)));
-  points->AddArray(MakeArray<vtkDoubleArray>("Residual", 1, seam.Residuals));
+  points->SetNormals(ArrayOf<vtkDoubleArray>("Normals", 3, Flat(seam.Normals)));
+  points->AddArray(ArrayOf<vtkDoubleArray>("Residual", 1, seam.Residuals));
   if (!result.FaceId.empty())
   {
     std::vector<double> uv;
@@ -213,11 +203,11 @@ void BuildCurves(const sb::CloudBooleanResult& result, vtkPolyData* output)
     {
       uv.insert(uv.end(), place.begin(), place.end());
     }
-    points->AddArray(MakeArray<vtkDoubleArray>(ParametersArray, 2, uv));
+    points->AddArray(ArrayOf<vtkDoubleArray>(ParametersArray, 2, uv));
   }
-  output->GetCellData()->AddArray(MakeArray<vtkDoubleArray>("Length", 1, lengths));
-  output->GetCellData()->AddArray(MakeArray<vtkIntArray>("Closed", 1, closed));
-  output->GetCellData()->AddArray(MakeArray<vtkDoubleArray>("ChordError", 1, errors));
+  output->GetCellData()->AddArray(ArrayOf<vtkDoubleArray>("Length", 1, lengths));
+  output->GetCellData()->AddArray(ArrayOf<vtkIntArray>("Closed", 1, closed));
+  output->GetCellData()->AddArray(ArrayOf<vtkDoubleArray>("ChordError", 1, errors));
 }
 
 } // namespace

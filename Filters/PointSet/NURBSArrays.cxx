@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NURBSArrays.h"
 
+#include "FieldArrays.h"
+
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -105,9 +107,7 @@ struct Arrays
 template <typename Array>
 Array* AddArray(vtkDataObject* data, const char* name, int components)
 {
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
+  const auto array = NewArray<Array>(name, components, 0);
   data->GetFieldData()->AddArray(array);
   return array;
 }

@@ -4,20 +4,15 @@
 
 #include "CloudBoolean.h"
 #include "CloudBooleanOutputs.h"
-#include "CloudInput.h"
-#include "CloudSentences.h"
-#include "CloudSurface.h"
+#include "CloudRun.h"
 #include "ConditionSentences.h"
 #include "DesignedInput.h"
 #include "FieldArrays.h"
-#include "KernelExecutor.h"
 #include "NURBSArrays.h"
 #include "PointSurfaceMesh.h"
-#include "Stopwatch.h"
 #include "TimeSteps.h"
 #include "vtkPointSetSurfaceFilter.h"
 
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -27,9 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <new>
 #include <string>
-#include <vector>
 
 vtkStandardNewMacro(vtkPointSetBooleanFilter);
 
@@ -38,7 +31,6 @@ namespace
 
 constexpr double LargestShareOfDoubtful = 0.2;
 constexpr double LargestShareOfTangent = 0.3; ///< of the seam, where it is called coincident
-constexpr double SureEnough = 0.5; ///< confidence below which a warning is due
 constexpr double LargestResidual = 1e-6; ///< of the seam, in spacings, that goes without a warning
 
 /** Three digits: for sentences. */
@@ -57,94 +49,59 @@ struct vtkPointSetBooleanFilter::Cache
 };
 
 /** One update: its steps in their order, and what they share. */
-class vtkPointSetBooleanFilter::Run
+class vtkPointSetBooleanFilter::Run : public sbvtk::CloudRun
 {
 public:
-  Run(
-    vtkPointSetBooleanFilter* filter, vtkInformationVector** inputs, vtkInformationVector* outputs)
-    : Filter(filter)
-    , CloudData(vtkDataObject::GetData(inputs[0], 0))
+  Run(vtkPointSetBooleanFilter* filter, vtkInformationVector** inputs,
+    const sbvtk::CloudBooleanOutputs& outputs)
+    : CloudRun(filter, vtkDataObject::GetData(inputs[0], 0),
+        { outputs.Surface, outputs.Points, outputs.Curves })
+    , Filter(filter)
     , ToolData(vtkDataObject::GetData(inputs[1], 0))
     , Tool(filter->Kept->Tool)
-    , Surface(vtkPolyData::GetData(outputs, 0))
-    , Points(vtkPolyData::GetData(outputs, 1))
-    , Curves(vtkPolyData::GetData(outputs, 2))
+    , Outputs(outputs)
+    , Surface(outputs.Surface)
   {
   }
 
-  void Execute();
-
 private:
-  struct Failure
-  {
-    int Status;
-    std::string Sentence;
-  };
-
+  void TakeSteps() override;
   void CheckSettings() const;
-  void ReadInputs();
-  void PrepareCloud();
+  void ReadTool();
+  void JudgeNormals();
   void Compute();
   void RefuseResult() const;
   std::string ToolSentence() const;
   void Judge();
   void JudgeOverlap();
   void JudgeScan();
-  void Warn(int status, const std::string& sentence);
-  void AddFields(int status, const std::string& message);
+  void AddFields(int status, const std::string& message) override;
+  std::string AdviceOnMemory() const override { return "choose a larger CellSize or fewer points"; }
 
   vtkPointSetBooleanFilter* Filter;
-  vtkDataObject* CloudData;
   vtkDataObject* ToolData;
-  sbvtk::CloudInput Input;
   sbvtk::DesignedInput& Tool;
+  sbvtk::CloudBooleanOutputs Outputs;
   vtkPolyData* Surface;
-  vtkPolyData* Points;
-  vtkPolyData* Curves;
-  sbvtk::KernelExecutor Executor;
-  sbvtk::Stopwatch Watch;
-  std::vector<sb::StageTime> Times;
-  sb::CloudSurface Cloud;
   sb::CloudBooleanResult Result;
   double CellSize = 0.0;
-  int Status = OK;
-  std::string Message;
 };
 
 //------------------------------------------------------------------------------
-void vtkPointSetBooleanFilter::Run::Execute()
+void vtkPointSetBooleanFilter::Run::TakeSteps()
 {
-  Failure failure{ OK, "" };
-  try
-  {
-    this->CheckSettings();
-    this->ReadInputs();
-    this->PrepareCloud();
-    this->Compute();
-    this->Judge();
-    sbvtk::BuildCloudBoolean({ this->Cloud, this->Input, this->Tool, this->Result },
-      { this->Surface, this->Points, this->Curves }, this->Executor);
-    this->Times.push_back({ "Build outputs", this->Watch.Lap() });
-    this->AddFields(this->Status, this->Message);
-    return;
-  }
-  catch (const Failure& caught)
-  {
-    failure = caught;
-  }
-  catch (const std::bad_alloc&)
-  {
-    failure = { OUT_OF_MEMORY,
-      "The result does not fit into memory; choose a larger CellSize or fewer points." };
-  }
-  this->Surface->Initialize();
-  this->Points->Initialize();
-  this->Curves->Initialize();
-  this->AddFields(failure.Status, failure.Sentence);
-  if (failure.Status != ABORTED)
-  {
-    vtkErrorWithObjectMacro(this->Filter, << failure.Sentence);
-  }
+  this->CheckSettings();
+  this->ReadCloud();
+  this->ReadTool();
+  this->Times.push_back({ "Read inputs", this->Watch.Lap() });
+  this->PrepareCloud({ 0, this->Filter->Width, this->Filter->FlipNormals != 0 }, 0.02, 0.3);
+  this->JudgeNormals();
+  this->Times.push_back({ "Prepare cloud", this->Watch.Lap() });
+  this->Compute();
+  this->Judge();
+  sbvtk::BuildCloudBoolean(
+    { this->Cloud, this->Input, this->Tool, this->Result }, this->Outputs, this->Executor);
+  this->Times.push_back({ "Build outputs", this->Watch.Lap() });
 }
 
 //------------------------------------------------------------------------------
@@ -157,31 +114,13 @@ void vtkPointSetBooleanFilter::Run::CheckSettings() const
       "Operation is " + std::to_string(operation) +
         "; set it to 0 (Union), 1 (Intersection), 2 (Difference) or 3 (Reverse Difference)." };
   }
-  const std::pair<const char*, double> lengths[] = { { "Width", this->Filter->Width },
-    { "CellSize", this->Filter->CellSize } };
-  for (const auto& length : lengths)
-  {
-    if (!std::isfinite(length.second) || length.second < 0.0)
-    {
-      throw Failure{ BAD_REQUEST,
-        std::string(length.first) + " is " + std::to_string(length.second) +
-          "; set it to 0 or a positive length." };
-    }
-  }
+  CheckLength("Width", this->Filter->Width);
+  CheckLength("CellSize", this->Filter->CellSize);
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSetBooleanFilter::Run::ReadInputs()
+void vtkPointSetBooleanFilter::Run::ReadTool()
 {
-  const std::string notPoints = this->Input.Read(this->CloudData);
-  if (!notPoints.empty())
-  {
-    throw Failure{ NOT_POINTS, "Input " + notPoints };
-  }
-  if (!this->Input.Warning().empty())
-  {
-    this->Warn(BAD_NORMALS, this->Input.Warning());
-  }
   if (!this->ToolData)
   {
     throw Failure{ NOT_A_SURFACE,
@@ -209,29 +148,15 @@ void vtkPointSetBooleanFilter::Run::ReadInputs()
       "Tool has its normals inwards (its volume is negative), so it was turned over; apply Reverse "
       "Sense to it to silence this.");
   }
-  this->Times.push_back({ "Read inputs", this->Watch.Lap() });
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSetBooleanFilter::Run::PrepareCloud()
+void vtkPointSetBooleanFilter::Run::JudgeNormals()
 {
-  sb::CloudRequest request;
-  request.Points = this->Input.Points();
-  request.Normals = this->Input.Normals();
-  request.Count = this->Input.NumberOfPoints();
-  request.Width = this->Filter->Width;
-  request.Flip = this->Filter->FlipNormals != 0;
-  sbvtk::KernelMonitor monitor(this->Filter, 0.02, 0.3);
-  this->Cloud = sb::MakeCloudSurface(request, this->Executor, monitor);
-  const int status = sbvtk::StatusOf(this->Cloud.Status);
-  if (status != OK)
-  {
-    throw Failure{ status, sbvtk::RefusalOf(this->Cloud, request.Count) };
-  }
   const auto doubtful =
     std::count(this->Cloud.Doubtful.begin(), this->Cloud.Doubtful.end(), std::uint8_t(1));
-  const double share =
-    static_cast<double>(doubtful) / static_cast<double>(std::max<std::int64_t>(1, request.Count));
+  const double share = static_cast<double>(doubtful) /
+    static_cast<double>(std::max<std::int64_t>(1, this->Input.NumberOfPoints()));
   if (share > LargestShareOfDoubtful)
   {
     throw Failure{ DOUBTFUL_NORMALS,
@@ -247,7 +172,6 @@ void vtkPointSetBooleanFilter::Run::PrepareCloud()
         " points of Input have a normal that is zero or not finite, and were left out; give them "
         "one, or remove all normals to have them estimated.");
   }
-  this->Times.push_back({ "Prepare cloud", this->Watch.Lap() });
 }
 
 //------------------------------------------------------------------------------
@@ -298,7 +222,7 @@ void vtkPointSetBooleanFilter::Run::RefuseResult() const
     case sb::CloudBooleanStatus::TooLarge:
       throw Failure{ TOO_LARGE, "The result would have more than 2147483647 points; divide it." };
     case sb::CloudBooleanStatus::Aborted:
-      throw Failure{ ABORTED, "The filter was stopped." };
+      Stop();
   }
 }
 
@@ -392,36 +316,20 @@ void vtkPointSetBooleanFilter::Run::JudgeScan()
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSetBooleanFilter::Run::Warn(int status, const std::string& sentence)
-{
-  vtkWarningWithObjectMacro(this->Filter, << sentence);
-  if (this->Status == OK)
-  {
-    this->Status = status;
-    this->Message = sentence;
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkPointSetBooleanFilter::Run::AddFields(int status, const std::string& message)
 {
-  using sbvtk::AddField;
   if (this->CloudData)
   {
     this->Surface->GetFieldData()->PassData(this->CloudData->GetFieldData());
   }
   const auto addDouble = [this](const char* name, double value) {
-    AddField(this->Surface, name, value);
+    sbvtk::AddField(this->Surface, name, value);
   };
   const auto addCount = [this](const char* name, std::int64_t value) {
-    AddField<vtkIdTypeArray>(
-      this->Surface, name, std::vector<vtkIdType>{ static_cast<vtkIdType>(value) });
+    sbvtk::AddCount(this->Surface, name, value);
   };
   const sb::CloudBooleanResult& result = this->Result;
-  AddField(this->Surface, "Status", status);
-  AddField(this->Surface, "Message", message);
-  addDouble("Spacing", this->Cloud.Spacing);
-  addDouble("Width", this->Cloud.Surface ? this->Cloud.Surface->Width() : 0.0);
+  this->AddCloudFields(this->Surface, status, message);
   addDouble("CellSize", this->CellSize);
   addDouble("NoiseError", result.Errors.Noise);
   addDouble("FacetError", result.Errors.Facet);
@@ -480,7 +388,9 @@ int vtkPointSetBooleanFilter::RequestInformation(
 int vtkPointSetBooleanFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  sbvtk::RunWithThreads(this->NumberOfThreads, [&] { Run(this, inputs, outputs).Execute(); });
+  const sbvtk::CloudBooleanOutputs filled{ vtkPolyData::GetData(outputs, 0),
+    vtkPolyData::GetData(outputs, 1), vtkPolyData::GetData(outputs, 2) };
+  sbvtk::RunWithThreads(this->NumberOfThreads, [&] { Run(this, inputs, filled).Execute(); });
   this->SetAbortOutput(
     false); // a run that was stopped says so in its field data, which the pipeline would clear
   return 1;

@@ -3,31 +3,23 @@
 #include "vtkPointSetIntersectionFilter.h"
 
 #include "CloudCurves.h"
-#include "CloudInput.h"
-#include "CloudSentences.h"
-#include "CloudSurface.h"
+#include "CloudRun.h"
 #include "CommonPoint.h"
 #include "DesignedInput.h"
 #include "FieldArrays.h"
-#include "KernelExecutor.h"
 #include "MeshSection.h"
 #include "NURBSSection.h"
 #include "PlaneSection.h"
-#include "Stopwatch.h"
 #include "vtkPointSetSurfaceFilter.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPlane.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -54,32 +46,23 @@ sb::Real3 NormalOf(const sb::DesignedSurface& mesh, std::int32_t triangle)
 }
 
 /** One update: its steps in their order, and what they share. */
-class vtkPointSetIntersectionFilter::Run
+class vtkPointSetIntersectionFilter::Run : public sbvtk::CloudRun
 {
 public:
   Run(vtkPointSetIntersectionFilter* filter, vtkDataObject* input, vtkInformationVector* tool,
     vtkPolyData* output)
-    : Filter(filter)
-    , Data(input)
+    : CloudRun(filter, input, { output })
+    , Filter(filter)
     , HasTool(tool && tool->GetNumberOfInformationObjects() > 0)
     , ToolData(this->HasTool ? vtkDataObject::GetData(tool, 0) : nullptr)
     , Output(output)
   {
   }
 
-  void Execute();
-
 private:
-  struct Failure
-  {
-    int Status;
-    std::string Sentence;
-  };
-
-  void CheckSettings();
+  void TakeSteps() override;
   void CheckPlane();
   void PrepareTool();
-  void PrepareCloud();
   void Intersect();
   using Curves = std::vector<sbvtk::CloudCurve>;
   Curves CutWithPlane(double chordError, sb::Monitor& monitor);
@@ -87,81 +70,37 @@ private:
   Curves CutWithPatches(double chordError, sb::Monitor& monitor);
   void StopIf(bool isAborted);
   void TellOfArea(double area);
-  void Warn(int status, const std::string& sentence);
-  void AddFields(int status, const std::string& message);
+  void AddFields(int status, const std::string& message) override;
+  std::string AdviceOnMemory() const override
+  {
+    return "choose a larger ChordError or fewer points";
+  }
 
   vtkPointSetIntersectionFilter* Filter;
-  vtkDataObject* Data;
   bool HasTool;
   vtkDataObject* ToolData;
   vtkPolyData* Output;
-  sbvtk::CloudInput Input;
-  sbvtk::KernelExecutor Executor;
-  sbvtk::Stopwatch Watch;
-  std::vector<sb::StageTime> Times;
-  sb::CloudSurface Cloud;
   sb::Real3 Origin{};
   sb::Real3 Normal{};
   double CoincidentArea = 0.0;
-  int WarningStatus = CloudFilter::OK;
-  std::string Warning;
 };
 
 //------------------------------------------------------------------------------
-void vtkPointSetIntersectionFilter::Run::Execute()
+void vtkPointSetIntersectionFilter::Run::TakeSteps()
 {
-  Failure failure{ CloudFilter::OK, "" };
-  try
-  {
-    this->CheckSettings();
-    this->PrepareTool();
-    this->PrepareCloud();
-    this->Intersect();
-    this->AddFields(this->WarningStatus, this->Warning);
-    return;
-  }
-  catch (const Failure& caught)
-  {
-    failure = caught;
-  }
-  catch (const std::bad_alloc&)
-  {
-    failure = { CloudFilter::OUT_OF_MEMORY,
-      "The result does not fit into memory; choose a larger ChordError or fewer points." };
-  }
-  this->Output->Initialize();
-  this->AddFields(failure.Status, failure.Sentence);
-  if (failure.Status != CloudFilter::ABORTED)
-  {
-    vtkErrorWithObjectMacro(this->Filter, << failure.Sentence);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkPointSetIntersectionFilter::Run::CheckSettings()
-{
-  const auto refuse = [](const std::string& sentence) {
-    throw Failure{ CloudFilter::BAD_REQUEST, sentence };
-  };
-  if (this->Filter->Definition != 0 && this->Filter->Definition != 1)
-  {
-    refuse("Definition is " + std::to_string(this->Filter->Definition) +
-      "; set it to 0 (Unbiased) or 1 (Amenta-Kil).");
-  }
-  if (!std::isfinite(this->Filter->Width) || this->Filter->Width < 0.0)
-  {
-    refuse(
-      "Width is " + std::to_string(this->Filter->Width) + "; set it to 0 or a positive length.");
-  }
-  if (!std::isfinite(this->Filter->ChordError) || this->Filter->ChordError < 0.0)
-  {
-    refuse("ChordError is " + std::to_string(this->Filter->ChordError) +
-      "; set it to 0 or a positive length.");
-  }
+  CheckDefinition(this->Filter->Definition);
+  CheckLength("Width", this->Filter->Width);
+  CheckLength("ChordError", this->Filter->ChordError);
   if (!this->HasTool)
   {
     this->CheckPlane();
   }
+  this->PrepareTool();
+  this->ReadCloud();
+  this->PrepareCloud(
+    { this->Filter->Definition, this->Filter->Width, this->Filter->FlipNormals != 0 }, 0.05, 0.7);
+  this->Times.push_back({ "Prepare cloud", this->Watch.Lap() });
+  this->Intersect();
 }
 
 //------------------------------------------------------------------------------
@@ -203,46 +142,6 @@ void vtkPointSetIntersectionFilter::Run::PrepareTool()
     this->Warn(FACETS_ONLY, "Tool " + tool.Warning());
   }
   this->Times.push_back({ "Prepare tool", this->Watch.Lap() });
-}
-
-//------------------------------------------------------------------------------
-void vtkPointSetIntersectionFilter::Run::Warn(int status, const std::string& sentence)
-{
-  vtkWarningWithObjectMacro(this->Filter, << sentence);
-  if (this->WarningStatus == CloudFilter::OK)
-  {
-    this->WarningStatus = status;
-    this->Warning = sentence;
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkPointSetIntersectionFilter::Run::PrepareCloud()
-{
-  const std::string notPoints = this->Input.Read(this->Data);
-  if (!notPoints.empty())
-  {
-    throw Failure{ CloudFilter::NOT_POINTS, "Input " + notPoints };
-  }
-  if (!this->Input.Warning().empty())
-  {
-    this->Warn(CloudFilter::BAD_NORMALS, this->Input.Warning());
-  }
-  sb::CloudRequest request;
-  request.Points = this->Input.Points();
-  request.Normals = this->Input.Normals();
-  request.Count = this->Input.NumberOfPoints();
-  request.Definition = static_cast<sb::SurfaceDefinition>(this->Filter->Definition);
-  request.Width = this->Filter->Width;
-  request.Flip = this->Filter->FlipNormals != 0;
-  sbvtk::KernelMonitor monitor(this->Filter, 0.05, 0.7);
-  this->Cloud = sb::MakeCloudSurface(request, this->Executor, monitor);
-  const int status = sbvtk::StatusOf(this->Cloud.Status);
-  if (status != CloudFilter::OK)
-  {
-    throw Failure{ status, sbvtk::RefusalOf(this->Cloud, request.Count) };
-  }
-  this->Times.push_back({ "Prepare cloud", this->Watch.Lap() });
 }
 
 //------------------------------------------------------------------------------
@@ -363,7 +262,7 @@ void vtkPointSetIntersectionFilter::Run::StopIf(bool isAborted)
 {
   if (isAborted)
   {
-    throw Failure{ CloudFilter::ABORTED, "The filter was stopped." };
+    Stop();
   }
 }
 
@@ -383,15 +282,10 @@ void vtkPointSetIntersectionFilter::Run::TellOfArea(double area)
 //------------------------------------------------------------------------------
 void vtkPointSetIntersectionFilter::Run::AddFields(int status, const std::string& message)
 {
-  using sbvtk::AddField;
-  AddField(this->Output, "Status", status);
-  AddField(this->Output, "Message", message);
-  AddField(this->Output, "Spacing", this->Cloud.Spacing);
-  AddField<vtkDoubleArray>(this->Output, "Width",
-    std::vector<double>{ this->Cloud.Surface ? this->Cloud.Surface->Width() : 0.0 });
+  this->AddCloudFields(this->Output, status, message);
   if (this->HasTool)
   {
-    AddField(this->Output, "CoincidentArea", this->CoincidentArea);
+    sbvtk::AddField(this->Output, "CoincidentArea", this->CoincidentArea);
   }
   sbvtk::AddStageFields(this->Output, this->Times);
 }

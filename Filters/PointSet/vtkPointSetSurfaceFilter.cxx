@@ -2,34 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSetSurfaceFilter.h"
 
-#include "CloudInput.h"
+#include "CloudRun.h"
 #include "CloudSampling.h"
 #include "CloudSentences.h"
-#include "CloudSurface.h"
 #include "FieldArrays.h"
-#include "KernelExecutor.h"
 #include "PointSurfaceMesh.h"
-#include "Stopwatch.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkStringArray.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -40,23 +34,6 @@ namespace
 
 constexpr double LargestShare = 0.2; ///< of doubtful or invalid points that goes without a warning
 constexpr double LargestThinShare = 0.001; ///< the same of points on walls that are too thin
-
-vtkSmartPointer<vtkDoubleArray> NewDoubles(const char* name, int components, vtkIdType count)
-{
-  const auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(count);
-  return array;
-}
-
-vtkSmartPointer<vtkUnsignedCharArray> NewBytes(const char* name, vtkIdType count)
-{
-  const auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  array->SetName(name);
-  array->SetNumberOfTuples(count);
-  return array;
-}
 
 /** What a closed mesh encloses; negative if it is inside out. */
 double VolumeOf(const sb::PointSurfaceMesh& mesh)
@@ -77,8 +54,8 @@ double VolumeOf(const sb::PointSurfaceMesh& mesh)
 void AddCurvatures(vtkPolyData* output, vtkDoubleArray* maximum, vtkDoubleArray* minimum)
 {
   const vtkIdType count = maximum->GetNumberOfTuples();
-  const auto mean = NewDoubles("MeanCurvature", 1, count);
-  const auto gauss = NewDoubles("GaussCurvature", 1, count);
+  const auto mean = sbvtk::NewArray<vtkDoubleArray>("MeanCurvature", 1, count);
+  const auto gauss = sbvtk::NewArray<vtkDoubleArray>("GaussCurvature", 1, count);
   const double* const largest = maximum->GetPointer(0);
   const double* const least = minimum->GetPointer(0);
   for (vtkIdType i = 0; i < count; ++i)
@@ -96,50 +73,33 @@ void AddCurvatures(vtkPolyData* output, vtkDoubleArray* maximum, vtkDoubleArray*
 } // namespace
 
 /** One update: its steps in their order, and what they share. */
-class vtkPointSetSurfaceFilter::Run
+class vtkPointSetSurfaceFilter::Run : public sbvtk::CloudRun
 {
 public:
-  Run(vtkPointSetSurfaceFilter* filter, vtkDataObject* input, vtkInformationVector* outputs)
-    : Filter(filter)
-    , Data(input)
-    , Points(vtkPolyData::GetData(outputs, 0))
-    , Mesh(vtkPolyData::GetData(outputs, 1))
+  Run(
+    vtkPointSetSurfaceFilter* filter, vtkDataObject* input, vtkPolyData* points, vtkPolyData* mesh)
+    : CloudRun(filter, input, { points, mesh })
+    , Filter(filter)
+    , Points(points)
+    , Mesh(mesh)
   {
   }
 
-  void Execute();
-
 private:
-  struct Failure
-  {
-    int Status;
-    std::string Sentence;
-  };
-
-  void CheckSettings() const;
-  void ReadInput();
-  void Prepare();
+  void TakeSteps() override;
   void Sample();
   void MarkDoubtful(const double* normals);
   void BuildPoints();
   void BuildMesh();
   void Judge();
-  void Warn(int status, const std::string& sentence);
-  void AddFields(int status, const std::string& message);
+  void AddFields(int status, const std::string& message) override;
+  std::string AdviceOnMemory() const override { return "choose a larger CellSize or fewer points"; }
   std::string Share(double share) const;
   vtkIdType Count() const { return static_cast<vtkIdType>(this->Input.NumberOfPoints()); }
 
   vtkPointSetSurfaceFilter* Filter;
-  vtkDataObject* Data;
   vtkPolyData* Points;
   vtkPolyData* Mesh;
-  sbvtk::CloudInput Input;
-  sbvtk::KernelExecutor Executor;
-  sbvtk::Stopwatch Watch;
-  std::vector<sb::StageTime> Times;
-  sb::CloudSurface Cloud;
-  int Status = OK;
-  std::string Message;
   vtkSmartPointer<vtkDoubleArray> Places;
   vtkSmartPointer<vtkUnsignedCharArray> Doubtful;
   vtkIdType NumberOfValid = 0;
@@ -152,99 +112,23 @@ private:
 };
 
 //------------------------------------------------------------------------------
-void vtkPointSetSurfaceFilter::Run::Execute()
+void vtkPointSetSurfaceFilter::Run::TakeSteps()
 {
-  Failure failure{ OK, "" };
-  try
-  {
-    this->CheckSettings();
-    this->ReadInput();
-    this->Prepare();
-    this->Sample();
-    this->BuildPoints();
-    if (this->Filter->GenerateSurface)
-    {
-      this->BuildMesh();
-    }
-    this->Judge();
-    this->AddFields(this->Status, this->Message);
-    return;
-  }
-  catch (const Failure& caught)
-  {
-    failure = caught;
-  }
-  catch (const std::bad_alloc&)
-  {
-    failure = { OUT_OF_MEMORY,
-      "The result does not fit into memory; choose a larger CellSize or "
-      "fewer points." };
-  }
-  this->Points->Initialize();
-  this->Mesh->Initialize();
-  this->AddFields(failure.Status, failure.Sentence);
-  if (failure.Status != ABORTED)
-  {
-    vtkErrorWithObjectMacro(this->Filter, << failure.Sentence);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkPointSetSurfaceFilter::Run::CheckSettings() const
-{
-  if (this->Filter->Definition != 0 && this->Filter->Definition != 1)
-  {
-    throw Failure{ BAD_REQUEST,
-      "Definition is " + std::to_string(this->Filter->Definition) +
-        "; set it to 0 (Unbiased) or 1 (Amenta-Kil)." };
-  }
-  const double width = this->Filter->Width;
-  const double cell = this->Filter->CellSize;
-  if (!std::isfinite(width) || width < 0.0)
-  {
-    throw Failure{ BAD_REQUEST,
-      "Width is " + std::to_string(width) + "; set it to 0 or a positive length." };
-  }
-  if (!std::isfinite(cell) || cell < 0.0)
-  {
-    throw Failure{ BAD_REQUEST,
-      "CellSize is " + std::to_string(cell) + "; set it to 0 or a positive length." };
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkPointSetSurfaceFilter::Run::ReadInput()
-{
-  const std::string refusal = this->Input.Read(this->Data);
-  if (!refusal.empty())
-  {
-    throw Failure{ NOT_POINTS, "Input " + refusal };
-  }
-  if (!this->Input.Warning().empty())
-  {
-    this->Warn(BAD_NORMALS, this->Input.Warning());
-  }
+  CheckDefinition(this->Filter->Definition);
+  CheckLength("Width", this->Filter->Width);
+  CheckLength("CellSize", this->Filter->CellSize);
+  this->ReadCloud();
   this->Times.push_back({ "Read input", this->Watch.Lap() });
-}
-
-//------------------------------------------------------------------------------
-void vtkPointSetSurfaceFilter::Run::Prepare()
-{
-  sb::CloudRequest request;
-  request.Points = this->Input.Points();
-  request.Normals = this->Input.Normals();
-  request.Count = this->Input.NumberOfPoints();
-  request.Definition = static_cast<sb::SurfaceDefinition>(this->Filter->Definition);
-  request.Width = this->Filter->Width;
-  request.Flip = this->Filter->FlipNormals != 0;
-  sbvtk::KernelMonitor monitor(this->Filter, 0.02, 0.4);
-  this->Cloud = sb::MakeCloudSurface(request, this->Executor, monitor);
-  const int status = sbvtk::StatusOf(this->Cloud.Status);
-  if (status != OK)
-  {
-    throw Failure{ status, sbvtk::RefusalOf(this->Cloud, request.Count) };
-  }
+  this->PrepareCloud(
+    { this->Filter->Definition, this->Filter->Width, this->Filter->FlipNormals != 0 }, 0.02, 0.4);
   this->Times.push_back({ "Prepare cloud", this->Watch.Lap() });
+  this->Sample();
+  this->BuildPoints();
+  if (this->Filter->GenerateSurface)
+  {
+    this->BuildMesh();
+  }
+  this->Judge();
 }
 
 //------------------------------------------------------------------------------
@@ -252,13 +136,12 @@ void vtkPointSetSurfaceFilter::Run::Sample()
 {
   const vtkIdType count = this->Count();
   this->Points->GetPointData()->PassData(this->Input.Data()->GetPointData());
-  this->Places = NewDoubles("Points", 3, count);
-  const auto normals = NewDoubles("Normals", 3, count);
-  std::copy(this->Cloud.Normals.begin(), this->Cloud.Normals.end(), normals->GetPointer(0));
-  const auto residual = NewDoubles("Residual", 1, count);
-  const auto validity = NewBytes("Validity", count);
-  const auto maximum = NewDoubles("MaximumCurvature", 1, count);
-  const auto minimum = NewDoubles("MinimumCurvature", 1, count);
+  this->Places = sbvtk::NewArray<vtkDoubleArray>("Points", 3, count);
+  const auto normals = sbvtk::ArrayOf<vtkDoubleArray>("Normals", 3, this->Cloud.Normals);
+  const auto residual = sbvtk::NewArray<vtkDoubleArray>("Residual", 1, count);
+  const auto validity = sbvtk::NewArray<vtkUnsignedCharArray>("Validity", 1, count);
+  const auto maximum = sbvtk::NewArray<vtkDoubleArray>("MaximumCurvature", 1, count);
+  const auto minimum = sbvtk::NewArray<vtkDoubleArray>("MinimumCurvature", 1, count);
   sb::CloudArrays arrays;
   arrays.Projected = this->Places->GetPointer(0);
   arrays.Normal = normals->GetPointer(0);
@@ -273,7 +156,7 @@ void vtkPointSetSurfaceFilter::Run::Sample()
   if (!sb::SampleCloudSurface(
         *this->Cloud.Surface, this->Input.Points(), count, arrays, this->Executor, monitor))
   {
-    throw Failure{ ABORTED, "The filter was stopped." };
+    Stop();
   }
   this->MarkDoubtful(arrays.Normal);
   double squares = 0.0;
@@ -306,7 +189,7 @@ void vtkPointSetSurfaceFilter::Run::Sample()
 void vtkPointSetSurfaceFilter::Run::MarkDoubtful(const double* normals)
 {
   const vtkIdType count = this->Count();
-  this->Doubtful = NewBytes("DoubtfulNormal", count);
+  this->Doubtful = sbvtk::NewArray<vtkUnsignedCharArray>("DoubtfulNormal", 1, count);
   unsigned char* const doubtful = this->Doubtful->GetPointer(0);
   const double* const samples = this->Cloud.Normals.data();
   vtkIdType total = 0;
@@ -363,7 +246,7 @@ void vtkPointSetSurfaceFilter::Run::BuildMesh()
     sb::MeshPointSurface(*this->Cloud.Surface, cell, this->Executor, monitor);
   if (mesh.End == sb::PointSurfaceMesh::Ending::Aborted)
   {
-    throw Failure{ ABORTED, "The filter was stopped." };
+    Stop();
   }
   if (mesh.End == sb::PointSurfaceMesh::Ending::TooFine)
   {
@@ -375,10 +258,8 @@ void vtkPointSetSurfaceFilter::Run::BuildMesh()
   this->NumberOfSpecks = static_cast<vtkIdType>(mesh.NumberOfSpecks);
   this->IsInsideOut = mesh.NumberOfBorderEdges == 0 && VolumeOf(mesh) < 0.0;
   const vtkIdType count = static_cast<vtkIdType>(mesh.Points.size() / 3);
-  const auto coordinates = NewDoubles("Points", 3, count);
-  std::copy(mesh.Points.begin(), mesh.Points.end(), coordinates->GetPointer(0));
-  const auto normals = NewDoubles("Normals", 3, count);
-  std::copy(mesh.Normals.begin(), mesh.Normals.end(), normals->GetPointer(0));
+  const auto coordinates = sbvtk::ArrayOf<vtkDoubleArray>("Points", 3, mesh.Points);
+  const auto normals = sbvtk::ArrayOf<vtkDoubleArray>("Normals", 3, mesh.Normals);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetData(coordinates);
@@ -398,8 +279,8 @@ void vtkPointSetSurfaceFilter::Run::BuildMesh()
   this->Mesh->GetPointData()->SetNormals(normals);
   if (this->Filter->ComputeCurvatures)
   {
-    const auto maximum = NewDoubles("MaximumCurvature", 1, count);
-    const auto minimum = NewDoubles("MinimumCurvature", 1, count);
+    const auto maximum = sbvtk::NewArray<vtkDoubleArray>("MaximumCurvature", 1, count);
+    const auto minimum = sbvtk::NewArray<vtkDoubleArray>("MinimumCurvature", 1, count);
     sb::CloudArrays arrays;
     arrays.MaximumCurvature = maximum->GetPointer(0);
     arrays.MinimumCurvature = minimum->GetPointer(0);
@@ -477,42 +358,26 @@ void vtkPointSetSurfaceFilter::Run::Judge()
 }
 
 //------------------------------------------------------------------------------
-void vtkPointSetSurfaceFilter::Run::Warn(int status, const std::string& sentence)
-{
-  vtkWarningWithObjectMacro(this->Filter, << sentence);
-  if (this->Status == OK)
-  {
-    this->Status = status;
-    this->Message = sentence;
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkPointSetSurfaceFilter::Run::AddFields(int status, const std::string& message)
 {
-  using sbvtk::AddField;
-  if (this->Data)
+  if (this->CloudData)
   {
-    this->Points->GetFieldData()->PassData(this->Data->GetFieldData());
+    this->Points->GetFieldData()->PassData(this->CloudData->GetFieldData());
   }
-  const auto addInt = [this](const char* name, int value) { AddField(this->Points, name, value); };
-  const auto addDouble = [this](
-                           const char* name, double value) { AddField(this->Points, name, value); };
-  const auto addCount = [this](const char* name, std::int64_t value) {
-    AddField<vtkIdTypeArray>(
-      this->Points, name, std::vector<vtkIdType>{ static_cast<vtkIdType>(value) });
+  const auto addDouble = [this](const char* name, double value) {
+    sbvtk::AddField(this->Points, name, value);
   };
-  addInt("Status", status);
-  AddField(this->Points, "Message", message);
-  addDouble("Spacing", this->Cloud.Spacing);
-  addDouble("Width", this->Cloud.Surface ? this->Cloud.Surface->Width() : 0.0);
+  const auto addCount = [this](const char* name, std::int64_t value) {
+    sbvtk::AddCount(this->Points, name, value);
+  };
+  this->AddCloudFields(this->Points, status, message);
   addDouble("ResidualRMS", this->ResidualRMS);
   addDouble("DoubtfulShare", this->DoubtfulShare);
   addCount("NumberOfValidPoints", this->NumberOfValid);
   addCount("NumberOfDuplicates", this->Cloud.NumberOfDuplicates);
   addCount("NumberOfBadPoints", this->Cloud.NumberOfNotFinite);
   addCount("NumberWithoutNormal", this->Cloud.NumberWithoutNormal);
-  addInt("NormalsEstimated", this->Cloud.Estimated ? 1 : 0);
+  sbvtk::AddField(this->Points, "NormalsEstimated", this->Cloud.Estimated ? 1 : 0);
   addCount("NumberOfBorderEdges", this->NumberOfBorderEdges);
   addCount("NumberOfSpecks", this->NumberOfSpecks);
   addDouble("ThinShare", this->Cloud.ThinShare);
@@ -540,7 +405,9 @@ int vtkPointSetSurfaceFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputs[0], 0);
-  sbvtk::RunWithThreads(this->NumberOfThreads, [&] { Run(this, input, outputs).Execute(); });
+  vtkPolyData* points = vtkPolyData::GetData(outputs, 0);
+  vtkPolyData* mesh = vtkPolyData::GetData(outputs, 1);
+  sbvtk::RunWithThreads(this->NumberOfThreads, [&] { Run(this, input, points, mesh).Execute(); });
   this->SetAbortOutput(
     false); // a run that was stopped says so in its field data, which the pipeline would clear
   return 1;

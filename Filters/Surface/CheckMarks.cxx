@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CheckMarks.h"
 
+#include "FieldArrays.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -46,9 +48,7 @@ template <typename Array, typename ValueOf>
 void AddArray(
   vtkDataSetAttributes* attributes, const char* name, vtkIdType count, ValueOf&& valueOf)
 {
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfValues(count);
+  const auto array = NewArray<Array>(name, 1, count);
   auto* const values = array->GetPointer(0);
   for (vtkIdType i = 0; i < count; ++i)
   {

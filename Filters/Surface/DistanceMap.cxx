@@ -12,8 +12,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
 
@@ -22,19 +20,6 @@
 
 namespace sbvtk
 {
-namespace
-{
-
-template <class Array>
-double* NewDoubles(Array& array, const char* name, int components, std::int64_t count)
-{
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(count);
-  return array->GetPointer(0);
-}
-
-} // namespace
 
 bool DistanceMap::AddTo(vtkDataSet* data, sb::Executor& executor, sb::Monitor& monitor)
 {
@@ -65,19 +50,19 @@ bool DistanceMap::AddArrays(vtkDataSetAttributes* attributes, const SamplePlaces
   request.Rule = this->Surface.HasSides() ? this->Options.Rule : sb::SignRule::Unsigned;
   request.Limit = this->Options.Limit;
   sb::DistanceArrays arrays;
-  vtkNew<vtkDoubleArray> distance;
-  vtkNew<vtkDoubleArray> nearest;
-  vtkNew<vtkDoubleArray> direction;
+  const auto distance = NewArray<vtkDoubleArray>("Distance", 1, count);
   std::vector<std::int32_t> triangles;
-  distances = arrays.Distance = NewDoubles(distance, "Distance", 1, count);
+  distances = arrays.Distance = distance->GetPointer(0);
   if (this->Options.NearestPoint)
   {
-    arrays.Nearest = NewDoubles(nearest, "NearestPoint", 3, count);
+    const auto nearest = NewArray<vtkDoubleArray>("NearestPoint", 3, count);
+    arrays.Nearest = nearest->GetPointer(0);
     attributes->AddArray(nearest);
   }
   if (this->Options.Direction)
   {
-    arrays.Direction = NewDoubles(direction, "Direction", 3, count);
+    const auto direction = NewArray<vtkDoubleArray>("Direction", 3, count);
+    arrays.Direction = direction->GetPointer(0);
     attributes->AddArray(direction);
   }
   if (this->Options.NearestCellId)
@@ -98,9 +83,7 @@ bool DistanceMap::AddArrays(vtkDataSetAttributes* attributes, const SamplePlaces
   attributes->SetActiveScalars("Distance");
   if (this->Options.NearestCellId)
   {
-    vtkNew<vtkIdTypeArray> cells;
-    cells->SetName("NearestCellId");
-    cells->SetNumberOfTuples(count);
+    const auto cells = NewArray<vtkIdTypeArray>("NearestCellId", 1, count);
     std::transform(
       triangles.begin(), triangles.end(), cells->GetPointer(0), [this](std::int32_t triangle) {
         return triangle < 0 ? vtkIdType(-1) : vtkIdType(this->Surface.CellOfTriangle(triangle));

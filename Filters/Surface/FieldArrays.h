@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FieldArrays.h
- * @brief Field data from vectors.
+ * @brief Arrays of VTK, and field data, from vectors.
  */
 #ifndef FieldArrays_h
 #define FieldArrays_h
@@ -12,15 +12,40 @@
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace sbvtk
 {
+
+/** An array whose values are still to be written, at GetPointer(0). */
+template <typename Array>
+vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tuples)
+{
+  const auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+
+/** An array with a copy of the values. */
+template <typename Array, typename Values>
+vtkSmartPointer<Array> ArrayOf(const char* name, int components, const Values& values)
+{
+  const auto array =
+    NewArray<Array>(name, components, static_cast<vtkIdType>(values.size()) / components);
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
+}
 
 template <typename Array, typename Value>
 void AddField(vtkDataObject* output, const char* name, const std::vector<Value>& values)
@@ -47,6 +72,12 @@ inline void AddField(vtkDataObject* output, const char* name, int value)
 inline void AddField(vtkDataObject* output, const char* name, const std::string& text)
 {
   AddField<vtkStringArray>(output, name, std::vector<std::string>{ text });
+}
+
+/** A number of things, which may be more than an int can count. */
+inline void AddCount(vtkDataObject* output, const char* name, std::int64_t count)
+{
+  AddField<vtkIdTypeArray>(output, name, std::vector<vtkIdType>{ static_cast<vtkIdType>(count) });
 }
 
 /** The field arrays StageNames and StageSeconds. */

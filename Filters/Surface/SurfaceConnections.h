@@ -10,6 +10,7 @@
 
 #include "AttributeUnion.h"
 #include "Boolean.h"
+#include "FilterFailure.h"
 #include "OperandSurface.h"
 #include "SurfaceInput.h"
 
@@ -21,13 +22,6 @@ class vtkInformationVector;
 
 namespace sbvtk
 {
-
-/** Ends an update: why, as a number for scripts and as a sentence for users. */
-struct FilterFailure
-{
-  int Status;
-  std::string Sentence;
-};
 
 /** One connection of a port, and what is known of it from the last update. */
 struct SurfaceConnection

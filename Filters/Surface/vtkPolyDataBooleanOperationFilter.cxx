@@ -13,10 +13,8 @@
 #include "TimeSteps.h"
 
 #include "vtkCellData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 
@@ -302,8 +300,7 @@ void vtkPolyDataBooleanOperationFilter::Run::AddFields(int status, const std::st
   sbvtk::AddField<vtkDoubleArray>(this->Surface, "OperandArea", areas);
   sbvtk::AddField(this->Surface, "ResultVolume", this->Measures.Volume);
   sbvtk::AddField(this->Surface, "ResultArea", this->Measures.Area);
-  sbvtk::AddField<vtkIdTypeArray>(
-    this->Surface, "ContactCount", std::vector<vtkIdType>{ this->Result.NumberOfContacts });
+  sbvtk::AddCount(this->Surface, "ContactCount", this->Result.NumberOfContacts);
   sbvtk::AddStageFields(this->Surface, this->Times);
 }
 

@@ -313,8 +313,7 @@ void vtkPolyDataIntersection::Run::AddFields(int status, const std::string& mess
   sbvtk::AddField(this->Curves, "Status", status);
   sbvtk::AddField(this->Curves, "Message", message);
   sbvtk::AddField(this->Curves, "TotalLength", length);
-  sbvtk::AddField<vtkIdTypeArray>(
-    this->Curves, "ContactCount", std::vector<vtkIdType>{ this->Result.NumberOfContacts });
+  sbvtk::AddCount(this->Curves, "ContactCount", this->Result.NumberOfContacts);
   sbvtk::AddStageFields(this->Curves, this->Times);
 }
 

@@ -267,8 +267,7 @@ void vtkPolyDataSurfaceCheck::Run::AddShellField(const char* name, ValueOf&& val
 //------------------------------------------------------------------------------
 void vtkPolyDataSurfaceCheck::Run::AddCount(const char* name, std::int64_t count)
 {
-  sbvtk::AddField<vtkIdTypeArray>(
-    this->Surface, name, std::vector<vtkIdType>{ static_cast<vtkIdType>(count) });
+  sbvtk::AddCount(this->Surface, name, count);
 }
 
 //------------------------------------------------------------------------------
