@@ -14,6 +14,7 @@
 #include "NURBSSection.h"
 #include "PlaneSection.h"
 #include "Stopwatch.h"
+#include "TimeSteps.h"
 #include "vtkPointSetSurfaceFilter.h"
 
 #include "vtkDoubleArray.h"
@@ -258,6 +259,10 @@ void vtkPointSetIntersectionFilter::Run::Intersect()
     : cutter == sbvtk::CutWith::Mesh                    ? this->CutWithMesh(bound, monitor)
                                                         : this->CutWithPatches(bound, monitor);
   sbvtk::BuildCurves(curves, *this->Cloud.Surface, cutter, this->Output);
+  if (this->HasTool)
+  {
+    sbvtk::MarkBlocks(*this->Filter->Tool, this->Output);
+  }
   this->Times.push_back({ "Intersect", this->Watch.Lap() });
 }
 
@@ -433,6 +438,14 @@ int vtkPointSetIntersectionFilter::FillInputPortInformation(int, vtkInformation*
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSetIntersectionFilter::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  sbvtk::UniteTimeSteps(inputs, this->GetNumberOfInputPorts(), outputs);
+  return this->Superclass::RequestInformation(request, inputs, outputs);
 }
 
 //------------------------------------------------------------------------------

@@ -252,6 +252,7 @@ void vtkPointSetSurfaceFilter::Run::Sample()
 {
   const vtkIdType count = this->Count();
   this->Points->GetPointData()->PassData(this->Input.Data()->GetPointData());
+  sbvtk::AddBlockNames(this->Points, this->Input.Names());
   this->Places = NewDoubles("Points", 3, count);
   const auto normals = NewDoubles("Normals", 3, count);
   std::copy(this->Cloud.Normals.begin(), this->Cloud.Normals.end(), normals->GetPointer(0));

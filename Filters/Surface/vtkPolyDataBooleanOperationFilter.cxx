@@ -3,6 +3,7 @@
 #include "vtkPolyDataBooleanOperationFilter.h"
 
 #include "AttributeUnion.h"
+#include "BlockNames.h"
 #include "FieldArrays.h"
 #include "KernelExecutor.h"
 #include "ResultCurves.h"
@@ -305,6 +306,7 @@ void vtkPolyDataBooleanOperationFilter::Run::AddFields(int status, const std::st
   sbvtk::AddField<vtkIdTypeArray>(
     this->Surface, "ContactCount", std::vector<vtkIdType>{ this->Result.NumberOfContacts });
   sbvtk::AddStageFields(this->Surface, this->Times);
+  sbvtk::AddBlockNames(this->Surface, sbvtk::BlockNamesOf(this->Filter->Inputs->Connections));
 }
 
 //------------------------------------------------------------------------------
