@@ -32,6 +32,8 @@ public:
 
   OperandSurface& Surface() const { return *this->Triangles; }
 
+  const BlockNames& Names() const { return this->Connection.Names(); }
+
   /** The failure that a kernel's remark amounts to. */
   Failure FailureOf(const sb::Remark& remark) const;
 

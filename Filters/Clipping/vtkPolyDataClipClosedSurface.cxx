@@ -3,6 +3,7 @@
 #include "vtkPolyDataClipClosedSurface.h"
 
 #include "AttributeUnion.h"
+#include "CapBlocks.h"
 #include "Clip.h"
 #include "ClippedLines.h"
 #include "ClippedSurface.h"
@@ -269,6 +270,8 @@ void vtkPolyDataClipClosedSurface::Run::Build(
   carry(
     input->GetCellData(), output->GetCellData(), input->GetNumberOfCells(), "cell", result.Cells());
   result.CopyTo(output, this->IsFloat(), this->Executor);
+  sbvtk::MarkBlocks(
+    input, this->Filter->Input->Prepared.Names(), result.Points(), output, this->Executor);
   if (this->Filter->ScalarMode == COLORS)
   {
     this->AddColors(output, result.Sources());

@@ -3,6 +3,7 @@
 #include "vtkPolyDataCutClosedSurface.h"
 
 #include "AttributeUnion.h"
+#include "CapBlocks.h"
 #include "Cut.h"
 #include "FieldArrays.h"
 #include "KernelExecutor.h"
@@ -57,6 +58,7 @@ private:
   void CheckSettings() const;
   void Compute();
   void BuildPoints();
+  sbvtk::TupleSources Points() const;
   void BuildTriangles();
   void BuildOutlines();
   void AddCellArrays(const std::vector<std::int32_t>& polygons);
@@ -85,6 +87,8 @@ void vtkPolyDataCutClosedSurface::Run::Execute()
     this->Compute();
     this->BuildPoints();
     this->Filter->Triangulate ? this->BuildTriangles() : this->BuildOutlines();
+    sbvtk::MarkBlocks(this->Filter->Input->Prepared.Surface().Data(),
+      this->Filter->Input->Prepared.Names(), this->Points(), this->Caps, this->Executor);
     this->Times.push_back({ "Build output", this->Watch.Lap() });
     this->Report();
     return;
@@ -177,14 +181,21 @@ void vtkPolyDataCutClosedSurface::Run::BuildPoints()
   const sbvtk::AttributeUnion attributes(
     { { input->GetPointData(), input->GetNumberOfPoints(), "Input" }, { nullptr, 0, "" } },
     "point");
-  sbvtk::TupleSources tuples;
-  tuples.NumberOfTuples = points->GetNumberOfPoints();
-  tuples.Interpolated = &this->Result.Points;
-  attributes.CopyTo(this->Caps->GetPointData(), tuples, this->Executor);
+  attributes.CopyTo(this->Caps->GetPointData(), this->Points(), this->Executor);
   for (const std::string& sentence : attributes.Warnings())
   {
     vtkWarningWithObjectMacro(this->Filter, << sentence);
   }
+}
+
+//------------------------------------------------------------------------------
+/** Where the points come from: all are new. */
+sbvtk::TupleSources vtkPolyDataCutClosedSurface::Run::Points() const
+{
+  sbvtk::TupleSources tuples;
+  tuples.NumberOfTuples = static_cast<std::int64_t>(this->Result.Points.size());
+  tuples.Interpolated = &this->Result.Points;
+  return tuples;
 }
 
 //------------------------------------------------------------------------------

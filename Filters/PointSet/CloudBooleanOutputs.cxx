@@ -3,6 +3,7 @@
 #include "CloudBooleanOutputs.h"
 
 #include "AttributeUnion.h"
+#include "BlockNames.h"
 #include "FieldArrays.h"
 #include "NURBSArrays.h"
 
@@ -210,6 +211,29 @@ void BuildCurves(const sb::CloudBooleanResult& result, vtkPolyData* output)
   output->GetCellData()->AddArray(ArrayOf<vtkDoubleArray>("ChordError", 1, errors));
 }
 
+/** The cloud's blocks are at points, as it has no cells, those of the tool at cells; both count
+ * through. */
+void MarkBlocks(const CloudBooleanParts& parts, const CloudBooleanOutputs& outputs)
+{
+  BlockNames names = parts.Input.Names();
+  const int firstOfTool = static_cast<int>(names.size());
+  const BlockNames& ofTool = parts.Tool.Names();
+  names.insert(names.end(), ofTool.begin(), ofTool.end());
+  AddBlockNames(outputs.Surface, names);
+  AddBlockNames(outputs.Points, names);
+  if (ofTool.empty())
+  {
+    return;
+  }
+  const vtkSmartPointer<vtkIntArray> blocks =
+    NumbersFrom(firstOfTool, parts.Tool.Data()->GetCellData());
+  std::vector<int> ofCells(parts.Result.ToolTriangle.size());
+  std::transform(parts.Result.ToolTriangle.begin(), parts.Result.ToolTriangle.end(),
+    ofCells.begin(),
+    [&](std::int32_t t) { return t < 0 ? -1 : blocks->GetValue(parts.Tool.CellOfTriangle(t)); });
+  outputs.Surface->GetCellData()->AddArray(ArrayOf<vtkIntArray>(BlockArray, 1, ofCells));
+}
+
 } // namespace
 
 void BuildCloudBoolean(
@@ -217,6 +241,7 @@ void BuildCloudBoolean(
 {
   BuildSurface(parts, outputs.Surface, executor);
   BuildPoints(parts, outputs.Points, executor);
+  MarkBlocks(parts, outputs);
   BuildCurves(parts.Result, outputs.Curves);
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CloudCurves.h"
 
+#include "BlockNames.h"
+#include "DesignedInput.h"
 #include "NURBSArrays.h"
 
 #include "vtkCellArray.h"
@@ -154,6 +156,39 @@ void BuildCurves(const std::vector<CloudCurve>& curves, const sb::MovingLeastSqu
   output->SetLines(lines);
   ofPoints.Attach(cutter, output);
   ofCurves.Attach(cutter, output);
+}
+
+//------------------------------------------------------------------------------
+void MarkBlocks(const DesignedInput& tool, vtkPolyData* output)
+{
+  if (tool.Names().empty())
+  {
+    return;
+  }
+  vtkCellData* const cells = tool.Data()->GetCellData();
+  const vtkSmartPointer<vtkIntArray> ofCells = NumbersFrom(0, cells);
+  vtkDataArray* const cellIds = output->GetPointData()->GetArray("OriginalCellId");
+  vtkDataArray* const faceIds = output->GetPointData()->GetArray(FaceArray);
+  std::vector<int> blockOfFace(tool.Surface().Patches.size(), -1);
+  vtkDataArray* const facesOfCells = faceIds ? cells->GetArray(FaceArray) : nullptr;
+  for (vtkIdType cell = 0; facesOfCells && cell < facesOfCells->GetNumberOfTuples(); ++cell)
+  {
+    const double face = facesOfCells->GetComponent(cell, 0);
+    if (face >= 0.0)
+    {
+      blockOfFace[static_cast<std::size_t>(face)] = ofCells->GetValue(cell);
+    }
+  }
+  vtkNew<vtkIntArray> blocks;
+  Name(blocks, BlockArray);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    blocks->InsertNextValue(cellIds
+        ? ofCells->GetValue(static_cast<vtkIdType>(cellIds->GetComponent(i, 0)))
+        : blockOfFace[static_cast<std::size_t>(faceIds->GetComponent(i, 0))]);
+  }
+  output->GetPointData()->AddArray(blocks);
+  AddBlockNames(output, tool.Names());
 }
 
 } // namespace sbvtk

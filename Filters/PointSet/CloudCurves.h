@@ -22,6 +22,8 @@ class vtkPolyData;
 namespace sbvtk
 {
 
+class DesignedInput;
+
 /** What a curve bends in: a plane, or a patch. */
 struct CurvePlace
 {
@@ -52,6 +54,9 @@ enum class CutWith
 /** Fill `output` with a polyline for each curve, and with the arrays that its cutter has. */
 void BuildCurves(const std::vector<CloudCurve>& curves, const sb::MovingLeastSquares& surface,
   CutWith cutter, vtkPolyData* output);
+
+/** Add to the curves' points the block of the tool that each lies on, and the blocks' names. */
+void MarkBlocks(const DesignedInput& tool, vtkPolyData* output);
 
 } // namespace sbvtk
 

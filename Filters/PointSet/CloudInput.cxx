@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CloudInput.h"
 
-#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace sbvtk
 {
@@ -37,7 +40,7 @@ vtkSmartPointer<vtkDoubleArray> AsDoubles(vtkDataArray* array)
 }
 
 /** The points of several sets in one, with the point arrays that all of them have. */
-vtkSmartPointer<vtkPointSet> Joined(const std::vector<vtkPointSet*>& blocks)
+vtkSmartPointer<vtkPolyData> Joined(const std::vector<vtkPointSet*>& blocks)
 {
   const auto joined = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
@@ -68,6 +71,20 @@ vtkSmartPointer<vtkPointSet> Joined(const std::vector<vtkPointSet*>& blocks)
   return joined;
 }
 
+void MarkBlocks(
+  const std::vector<vtkPointSet*>& parts, const std::vector<int>& blockOfPart, vtkPolyData* joined)
+{
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName(BlockArray);
+  numbers->SetNumberOfValues(joined->GetNumberOfPoints());
+  int* next = numbers->GetPointer(0);
+  for (std::size_t part = 0; part < parts.size(); ++part)
+  {
+    next = std::fill_n(next, parts[part]->GetNumberOfPoints(), blockOfPart[part]);
+  }
+  joined->GetPointData()->AddArray(numbers);
+}
+
 } // namespace
 
 std::string CloudInput::Read(vtkDataObject* data)
@@ -80,34 +97,50 @@ std::string CloudInput::Read(vtkDataObject* data)
   if (vtkPointSet* cloud = vtkPointSet::SafeDownCast(data))
   {
     this->Cloud = cloud;
-  }
-  else if (vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    std::vector<vtkPointSet*> blocks;
-    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      vtkPointSet* block = vtkPointSet::SafeDownCast(iterator->GetCurrentDataObject());
-      if (!block)
-      {
-        return "has a block that " + Refusal(iterator->GetCurrentDataObject());
-      }
-      if (block->GetNumberOfPoints() > 0) // an empty one need not have the arrays of the others
-      {
-        blocks.push_back(block);
-      }
-    }
-    this->Cloud = Joined(blocks);
+    this->NamesOfBlocks = CarriedBlockNames(cloud, cloud->GetPointData());
   }
   else
   {
-    return Refusal(data);
+    const std::string refusal =
+      vtkCompositeDataSet::SafeDownCast(data) ? this->ReadBlocks(data) : Refusal(data);
+    if (!refusal.empty())
+    {
+      return refusal;
+    }
   }
   if (this->NumberOfPoints() > 0)
   {
     this->PointArray = AsDoubles(this->Cloud->GetPoints()->GetData());
     this->ReadNormals();
   }
+  return "";
+}
+
+std::string CloudInput::ReadBlocks(vtkDataObject* data)
+{
+  Blocks blocks = BlocksOf(data);
+  std::vector<vtkPointSet*> parts;
+  std::vector<int> blockOfPart;
+  for (std::size_t leaf = 0; leaf < blocks.Leaves.size(); ++leaf)
+  {
+    vtkPointSet* part = vtkPointSet::SafeDownCast(blocks.Leaves[leaf]);
+    if (!part)
+    {
+      return "has a block that " + Refusal(blocks.Leaves[leaf]);
+    }
+    if (part->GetNumberOfPoints() > 0) // an empty one need not have the arrays of the others
+    {
+      parts.push_back(part);
+      blockOfPart.push_back(blocks.BlockOfLeaf[leaf]);
+    }
+  }
+  const vtkSmartPointer<vtkPolyData> joined = Joined(parts);
+  if (!blocks.Names.empty())
+  {
+    MarkBlocks(parts, blockOfPart, joined);
+  }
+  this->Cloud = joined;
+  this->NamesOfBlocks = std::move(blocks.Names);
   return "";
 }
 

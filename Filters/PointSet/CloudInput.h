@@ -7,6 +7,8 @@
 #ifndef CloudInput_h
 #define CloudInput_h
 
+#include "BlockNames.h"
+
 #include "vtkDoubleArray.h"
 #include "vtkPointSet.h"
 #include "vtkSmartPointer.h"
@@ -25,13 +27,17 @@ class CloudInput
 public:
   /**
    * Read what a connection delivers. Composite data are joined: their points are put after one
-   * another; point arrays that all blocks have are kept.
+   * another; point arrays that all blocks have are kept, and BlockId says which block each point is
+   * of.
    * @return empty, or the end of the sentence "Input ..." that says what else it is.
    */
   std::string Read(vtkDataObject* data);
 
   /** The points, and point data with as many tuples. */
   vtkPointSet* Data() const { return this->Cloud; }
+
+  /** Names of the blocks that the cloud is made of. */
+  const BlockNames& Names() const { return this->NamesOfBlocks; }
 
   std::int64_t NumberOfPoints() const { return this->Cloud ? this->Cloud->GetNumberOfPoints() : 0; }
   const double* Points() const;
@@ -43,11 +49,13 @@ public:
   const std::string& Warning() const { return this->Remark; }
 
 private:
+  std::string ReadBlocks(vtkDataObject* data);
   void ReadNormals();
 
   vtkSmartPointer<vtkPointSet> Cloud;
   vtkSmartPointer<vtkDoubleArray> PointArray;
   vtkSmartPointer<vtkDoubleArray> NormalArray;
+  BlockNames NamesOfBlocks;
   std::string Remark;
 };
 

@@ -14,7 +14,6 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -45,6 +44,26 @@ std::vector<vtkDataObject*> LeavesOf(vtkDataObject* data)
     leaves.push_back(iterator->GetCurrentDataObject());
   }
   return leaves;
+}
+
+/** The same blocks, of the same names, with these leaves. */
+vtkSmartPointer<vtkDataObject> WithLeaves(
+  vtkDataObject* data, const std::vector<vtkSmartPointer<vtkPolyData>>& leaves)
+{
+  vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(data);
+  if (!composite)
+  {
+    return leaves.front();
+  }
+  const auto copy = vtkSmartPointer<vtkCompositeDataSet>::Take(composite->NewInstance());
+  copy->CopyStructure(composite);
+  auto leaf = leaves.begin();
+  const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    copy->SetDataSet(iterator, *leaf++);
+  }
+  return copy;
 }
 
 /** The array as doubles, or null if there is none of so many components and tuples. */
@@ -153,7 +172,9 @@ std::string DesignedInput::Read(vtkDataObject* data, sb::Executor& executor, Pat
 {
   const std::vector<vtkDataObject*> leaves = LeavesOf(data);
   std::vector<vtkMTimeType> stamp = StampOf(leaves, patchless);
-  if (stamp == this->Stamp)
+  const bool sameNames =
+    !vtkCompositeDataSet::SafeDownCast(data) || BlocksOf(data).Names == this->Facets.Names();
+  if (stamp == this->Stamp && sameNames)
   {
     return this->Refusal;
   }
@@ -171,17 +192,17 @@ std::string DesignedInput::ReadExactSurfaces(
 {
   const std::vector<vtkDataObject*> leaves = LeavesOf(data);
   ExactLeaves exact;
-  vtkNew<vtkMultiBlockDataSet> prepared;
+  vtkSmartPointer<vtkDataObject> prepared;
   if (std::all_of(leaves.begin(), leaves.end(), vtkPolyData::SafeDownCast))
   {
     for (vtkDataObject* leaf : leaves)
     {
       exact.Add(vtkPolyData::SafeDownCast(leaf));
-      prepared->SetBlock(prepared->GetNumberOfBlocks(), exact.Leaves.back());
     }
+    prepared = WithLeaves(data, exact.Leaves);
   }
   const bool hasPatches = !exact.Patches.empty();
-  std::string refusal = this->Facets.Read(hasPatches ? prepared : data, executor);
+  std::string refusal = this->Facets.Read(hasPatches ? prepared.Get() : data, executor);
   refusal = refusal.empty() ? this->ReadFacets(executor) : refusal;
   if (!refusal.empty())
   {

@@ -66,6 +66,9 @@ public:
   bool IsOpen() const { return this->Open; }
   bool WasInsideOut() const { return this->InsideOut; }
 
+  /** Names of the blocks that the surface is made of; Data() has the cell array BlockId then. */
+  const BlockNames& Names() const { return this->Facets.Names(); }
+
   /** The surface with its attributes; merged, if the data were composite. */
   vtkPolyData* Data() const;
 

@@ -10,6 +10,7 @@
 #include "MeshSection.h"
 #include "NURBSSection.h"
 #include "PlaneSection.h"
+#include "TimeSteps.h"
 #include "vtkPointSetSurfaceFilter.h"
 
 #include "vtkInformation.h"
@@ -157,6 +158,10 @@ void vtkPointSetIntersectionFilter::Run::Intersect()
     : cutter == sbvtk::CutWith::Mesh                    ? this->CutWithMesh(bound, monitor)
                                                         : this->CutWithPatches(bound, monitor);
   sbvtk::BuildCurves(curves, *this->Cloud.Surface, cutter, this->Output);
+  if (this->HasTool)
+  {
+    sbvtk::MarkBlocks(*this->Filter->Tool, this->Output);
+  }
   this->Times.push_back({ "Intersect", this->Watch.Lap() });
 }
 
@@ -327,6 +332,14 @@ int vtkPointSetIntersectionFilter::FillInputPortInformation(int, vtkInformation*
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkPointSetIntersectionFilter::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  sbvtk::UniteTimeSteps(inputs, this->GetNumberOfInputPorts(), outputs);
+  return this->Superclass::RequestInformation(request, inputs, outputs);
 }
 
 //------------------------------------------------------------------------------

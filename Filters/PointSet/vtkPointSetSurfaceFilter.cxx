@@ -136,6 +136,7 @@ void vtkPointSetSurfaceFilter::Run::Sample()
 {
   const vtkIdType count = this->Count();
   this->Points->GetPointData()->PassData(this->Input.Data()->GetPointData());
+  sbvtk::AddBlockNames(this->Points, this->Input.Names());
   this->Places = sbvtk::NewArray<vtkDoubleArray>("Points", 3, count);
   const auto normals = sbvtk::ArrayOf<vtkDoubleArray>("Normals", 3, this->Cloud.Normals);
   const auto residual = sbvtk::NewArray<vtkDoubleArray>("Residual", 1, count);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AttributeUnion.h"
 
+#include "BlockNames.h"
+
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -66,6 +68,12 @@ int CarriedType(vtkAbstractArray* array)
   return array->GetDataType() == VTK_BIT ? VTK_UNSIGNED_CHAR : array->GetDataType();
 }
 
+/** Numbers of faces, solids and blocks: there is none between two of them, and 0 is one. */
+bool NamesAPart(const std::string& name)
+{
+  return name == "FaceId" || name == "SolidId" || name == BlockArray;
+}
+
 template <typename Value>
 Value FillValue(const std::string& name)
 {
@@ -73,8 +81,7 @@ Value FillValue(const std::string& name)
   {
     return std::numeric_limits<Value>::quiet_NaN();
   }
-  // 0 would be a face, or a solid, of the designed body.
-  return name == "FaceId" || name == "SolidId" ? Value(-1) : Value(0);
+  return NamesAPart(name) ? Value(-1) : Value(0);
 }
 
 template <typename Value>
@@ -324,7 +331,8 @@ void AttributeUnion::Unify(Column& column)
     array = array ? AsType(array, type) : nullptr;
   }
   // Integers of 64 bits are ids, VTK's and numpy's own.
-  column.TakeNearest |= !IsFloating(type) && vtkAbstractArray::GetDataTypeSize(type) == 8;
+  column.TakeNearest |=
+    NamesAPart(column.Name) || (!IsFloating(type) && vtkAbstractArray::GetDataTypeSize(type) == 8);
 }
 
 //------------------------------------------------------------------------------

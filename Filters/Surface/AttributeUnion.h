@@ -7,7 +7,7 @@
  * Arrays of one name are one array of the output. Where their number types differ, it has a type
  * that holds both; where their numbers of components differ, the first operand that has the name
  * keeps it. An operand without the array gives NaN in floating-point arrays, 0 in integer arrays
- * (-1 in FaceId and SolidId: of none), an empty text in text arrays.
+ * (-1 in FaceId, SolidId and BlockId: of none), an empty text in text arrays.
  */
 #ifndef AttributeUnion_h
 #define AttributeUnion_h

@@ -42,15 +42,17 @@ void ReadConnections(SurfaceConnections& connections, vtkInformationVector** inp
   int notASurface, double tolerance, sb::Executor& executor)
 {
   int place[2] = { 0, 0 };
+  int firstBlock = 0;
   for (SurfaceConnection& connection : connections)
   {
     const int port = connection.Side == sb::Group::Input ? 0 : 1;
-    const std::string refusal =
-      connection.Input.Read(vtkDataObject::GetData(inputs[port], place[port]++), executor);
+    const std::string refusal = connection.Input.Read(
+      vtkDataObject::GetData(inputs[port], place[port]++), executor, firstBlock);
     if (!refusal.empty())
     {
       throw FilterFailure{ notASurface, connection.Name + " " + refusal };
     }
+    firstBlock += static_cast<int>(connection.Input.Names().size());
     vtkPolyData* surface = connection.Input.Surface();
     if (!OperandSurface::FitsInt32(surface))
     {
@@ -81,6 +83,18 @@ std::vector<std::shared_ptr<OperandSurface>> SurfacesOf(const SurfaceConnections
     surfaces.push_back(connection.Surface);
   }
   return surfaces;
+}
+
+//------------------------------------------------------------------------------
+BlockNames BlockNamesOf(const SurfaceConnections& connections)
+{
+  BlockNames names;
+  for (const SurfaceConnection& connection : connections)
+  {
+    const BlockNames& own = connection.Input.Names();
+    names.insert(names.end(), own.begin(), own.end());
+  }
+  return names;
 }
 
 //------------------------------------------------------------------------------

@@ -49,6 +49,9 @@ void ReadConnections(SurfaceConnections& connections, vtkInformationVector** inp
 
 std::vector<std::shared_ptr<OperandSurface>> SurfacesOf(const SurfaceConnections& connections);
 
+/** The names of all connections' blocks, in the order of their numbers. */
+BlockNames BlockNamesOf(const SurfaceConnections& connections);
+
 /** The point or cell arrays of one connection, for an AttributeUnion. */
 AttributeUnion::Source AttributesOf(const SurfaceConnection& connection, bool ofPoints);
 

@@ -6,8 +6,8 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -97,8 +97,21 @@ void MergePointArrays(
   AttributeUnion(sources, "point").CopyTo(merged->GetPointData(), from, executor);
 }
 
-/** As the points, but the merged cells are ordered by kind first: all vertices, all lines,
- * polygons, strips. */
+/** Call `visit(leaf, cells)` in the order of the merged cells, which goes by kind first: all
+ * vertices, all lines, polygons, strips. */
+template <class Visit>
+void ForCellsOfLeaves(const std::vector<vtkPolyData*>& leaves, Visit&& visit)
+{
+  for (const auto cellsOf : { &vtkPolyData::GetVerts, &vtkPolyData::GetLines,
+         &vtkPolyData::GetPolys, &vtkPolyData::GetStrips })
+  {
+    for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+    {
+      visit(leaf, (leaves[leaf]->*cellsOf)()->GetNumberOfCells());
+    }
+  }
+}
+
 void MergeCellArrays(
   const std::vector<vtkPolyData*>& leaves, vtkPolyData* merged, sb::Executor& executor)
 {
@@ -112,18 +125,12 @@ void MergeCellArrays(
   const std::vector<vtkIdType> ids = Identity(most);
   std::vector<std::int64_t> firstOfKind(leaves.size(), 0);
   TupleSources from;
-  for (const auto cellsOf : { &vtkPolyData::GetVerts, &vtkPolyData::GetLines,
-         &vtkPolyData::GetPolys, &vtkPolyData::GetStrips })
-  {
-    for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
-    {
-      const std::int64_t count = (leaves[leaf]->*cellsOf)()->GetNumberOfCells();
-      from.Runs.push_back({ static_cast<std::int32_t>(leaf), from.NumberOfTuples, count, nullptr,
-        ids.data() + firstOfKind[leaf] });
-      from.NumberOfTuples += count;
-      firstOfKind[leaf] += count;
-    }
-  }
+  ForCellsOfLeaves(leaves, [&](std::size_t leaf, std::int64_t count) {
+    from.Runs.push_back({ static_cast<std::int32_t>(leaf), from.NumberOfTuples, count, nullptr,
+      ids.data() + firstOfKind[leaf] });
+    from.NumberOfTuples += count;
+    firstOfKind[leaf] += count;
+  });
   AttributeUnion(sources, "cell").CopyTo(merged->GetCellData(), from, executor);
 }
 
@@ -140,41 +147,86 @@ vtkSmartPointer<vtkPolyData> Merge(const std::vector<vtkPolyData*>& leaves, sb::
   return merged;
 }
 
+/** The surfaces of all leaves as one. */
+vtkSmartPointer<vtkPolyData> Together(
+  const std::vector<vtkPolyData*>& leaves, sb::Executor& executor)
+{
+  if (leaves.size() != 1)
+  {
+    return Merge(leaves, executor);
+  }
+  const auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(leaves.front());
+  return copy;
+}
+
+void MarkBlocks(const std::vector<vtkPolyData*>& leaves, const std::vector<int>& blockOfLeaf,
+  int firstBlock, vtkPolyData* merged)
+{
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName(BlockArray);
+  numbers->SetNumberOfValues(merged->GetNumberOfCells());
+  int* next = numbers->GetPointer(0);
+  ForCellsOfLeaves(leaves, [&](std::size_t leaf, std::int64_t count) {
+    next = std::fill_n(next, count, firstBlock + blockOfLeaf[leaf]);
+  });
+  merged->GetCellData()->AddArray(numbers);
+}
+
 } // namespace
 
-std::string SurfaceInput::Read(vtkDataObject* data, sb::Executor& executor)
+//------------------------------------------------------------------------------
+std::string SurfaceInput::Read(vtkDataObject* data, sb::Executor& executor, int firstBlock)
 {
   if (vtkPolyData* surface = vtkPolyData::SafeDownCast(data))
   {
-    this->Current = surface;
-    this->LeafTimes.clear();
+    this->ReadSurface(surface, firstBlock);
     return "";
   }
-  vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(data);
-  if (!composite)
+  if (!vtkCompositeDataSet::SafeDownCast(data))
   {
     return data ? Refusal(data) : "has no data; update the filter before it.";
   }
+  Blocks blocks = BlocksOf(data);
   std::vector<vtkPolyData*> leaves;
   std::vector<vtkMTimeType> leafTimes;
-  const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  for (vtkDataObject* leaf : blocks.Leaves)
   {
-    vtkPolyData* leaf = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject());
-    if (!leaf)
+    if (!vtkPolyData::SafeDownCast(leaf))
     {
-      return "has a block that " + Refusal(iterator->GetCurrentDataObject());
+      return "has a block that " + Refusal(leaf);
     }
-    leaves.push_back(leaf);
+    leaves.push_back(vtkPolyData::SafeDownCast(leaf));
     leafTimes.push_back(leaf->GetMTime());
   }
-  if (leafTimes.empty() || leafTimes != this->LeafTimes)
+  if (leafTimes.empty() || leafTimes != this->LeafTimes || firstBlock != this->FirstBlock ||
+    blocks.Names != this->NamesOfBlocks)
   {
-    this->Current =
-      leaves.size() == 1 ? vtkSmartPointer<vtkPolyData>(leaves.front()) : Merge(leaves, executor);
-    this->LeafTimes = leafTimes;
+    this->Current = Together(leaves, executor);
+    if (!blocks.Names.empty())
+    {
+      MarkBlocks(leaves, blocks.BlockOfLeaf, firstBlock, this->Current);
+    }
+    this->LeafTimes = std::move(leafTimes);
+    this->NamesOfBlocks = std::move(blocks.Names);
+    this->FirstBlock = firstBlock;
   }
   return "";
+}
+
+//------------------------------------------------------------------------------
+/** A surface that was merged of blocks by an earlier filter still has them. */
+void SurfaceInput::ReadSurface(vtkPolyData* surface, int firstBlock)
+{
+  this->LeafTimes.clear();
+  this->Current = surface;
+  this->NamesOfBlocks = CarriedBlockNames(surface, surface->GetCellData());
+  if (!this->NamesOfBlocks.empty() && firstBlock > 0)
+  {
+    this->Current = vtkSmartPointer<vtkPolyData>::New();
+    this->Current->ShallowCopy(surface);
+    this->Current->GetCellData()->AddArray(NumbersFrom(firstBlock, surface->GetCellData()));
+  }
 }
 
 } // namespace sbvtk

@@ -3,6 +3,7 @@
 #include "vtkPolyDataBooleanOperationFilter.h"
 
 #include "AttributeUnion.h"
+#include "BlockNames.h"
 #include "FieldArrays.h"
 #include "KernelExecutor.h"
 #include "ResultCurves.h"
@@ -302,6 +303,7 @@ void vtkPolyDataBooleanOperationFilter::Run::AddFields(int status, const std::st
   sbvtk::AddField(this->Surface, "ResultArea", this->Measures.Area);
   sbvtk::AddCount(this->Surface, "ContactCount", this->Result.NumberOfContacts);
   sbvtk::AddStageFields(this->Surface, this->Times);
+  sbvtk::AddBlockNames(this->Surface, sbvtk::BlockNamesOf(this->Filter->Inputs->Connections));
 }
 
 //------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPolyDataDistance.h"
 
+#include "BlockNames.h"
 #include "ConditionSentences.h"
 #include "DistanceMap.h"
 #include "DistanceSurface.h"
@@ -291,6 +292,7 @@ void vtkPolyDataDistance::Run::PrepareInput()
 void vtkPolyDataDistance::Run::MapTool()
 {
   this->Second->ShallowCopy(this->Filter->Kept->Tool.Surface());
+  sbvtk::AddBlockNames(this->Second, this->Filter->Kept->Tool.Names());
   if (!this->Filter->ComputeSecondDistance)
   {
     return;

@@ -3,6 +3,7 @@
 #include "vtkPolyDataIntersection.h"
 
 #include "AttributeUnion.h"
+#include "BlockNames.h"
 #include "FieldArrays.h"
 #include "Intersection.h"
 #include "KernelExecutor.h"
@@ -248,6 +249,7 @@ void vtkPolyDataIntersection::Run::BuildSplit(std::size_t operand)
   {
     output->GetFieldData()->PassData(input->GetFieldData());
   }
+  sbvtk::AddBlockNames(output, sbvtk::BlockNamesOf(this->Connections));
 }
 
 //------------------------------------------------------------------------------

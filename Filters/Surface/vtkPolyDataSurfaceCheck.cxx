@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPolyDataSurfaceCheck.h"
 
+#include "BlockNames.h"
 #include "CheckMarks.h"
 #include "CheckVerdict.h"
 #include "ConditionSentences.h"
@@ -173,6 +174,7 @@ void vtkPolyDataSurfaceCheck::Run::BuildOutputs()
     sbvtk::AddField(output, "Fit", static_cast<int>(sbvtk::IsFit(findings)));
     sbvtk::AddField(output, "Clean", static_cast<int>(sbvtk::IsClean(findings)));
   }
+  sbvtk::AddBlockNames(this->Surface, this->Filter->Kept->Input.Names());
   this->AddStatus(0, "The check is complete.");
   this->AddCounts(findings);
   this->AddShells();

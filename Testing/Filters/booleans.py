@@ -122,9 +122,12 @@ def heard_from_call(tested, call):
 class Reported:
     """Something with the field data in which every filter says how it went."""
 
+    def number(self, name):
+        return self.field_data[name][0]
+
     @property
     def status(self):
-        return int(self.field_data["Status"][0])
+        return int(self.number("Status"))
 
     @property
     def message(self):

@@ -33,9 +33,6 @@ class Read(Reported):
     errors: list = field(default_factory=list)
     warnings: list = field(default_factory=list)
 
-    def number(self, name):
-        return self.field_data[name][0]
-
 
 def plain(data, errors=(), warnings=()):
     return Read(

@@ -31,9 +31,6 @@ class Result(Reported):
     errors: list = field(default_factory=list)
     warnings: list = field(default_factory=list)
 
-    def number(self, name):
-        return self.field_data[name][0]
-
     @property
     def volume(self):
         return measures.volume(self.body)

@@ -10,7 +10,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from booleans import arrays_of, heard_from, points_of, triangles_of
+from booleans import Reported, arrays_of, heard_from, points_of, triangles_of
 from meshes import CGAL_DATA
 
 
@@ -78,25 +78,18 @@ def cloud(points, normals=None):
 
 
 @dataclass
-class Result:
+class Result(Reported):
     """What came out of the filter, as plain arrays."""
 
     data: vtkPolyData
     points: np.ndarray
     arrays: dict
-    fields: dict
+    field_data: dict
     mesh_data: vtkPolyData
     mesh: object  # a meshes.Mesh
     mesh_arrays: dict
     errors: list = field(default_factory=list)
     warnings: list = field(default_factory=list)
-
-    def number(self, name):
-        return self.fields[name][0]
-
-    @property
-    def status(self):
-        return int(self.number("Status"))
 
     @property
     def is_empty(self):

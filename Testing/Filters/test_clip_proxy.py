@@ -3,7 +3,9 @@
 """Clip, cut and contour triangulator as paraview.simple and the menus know them, and through state files."""
 
 import pytest
-from paraview import simple, smstate, smtrace
+from paraview import simple, smtrace
+
+import states
 
 PROPERTIES = {
     "ClosedSurfaceClip": {
@@ -94,26 +96,13 @@ def test_the_plane_the_table_and_the_box_clip_together():
     assert volume(clip) == pytest.approx(0.75**3)
 
 
-def save_and_load(kind, path):
-    file = path / f"state.{kind}"
-    if kind == "pvsm":
-        simple.SaveState(str(file))
-    else:
-        file.write_text(smstate.get_state())
-    simple.ResetSession()
-    if kind == "pvsm":
-        simple.LoadState(str(file))
-    else:
-        exec(compile(file.read_text(), str(file), "exec"), {})
-
-
-@pytest.mark.parametrize("kind", ["pvsm", "py"])
+@pytest.mark.parametrize("kind", states.KINDS)
 def test_the_table_of_planes_survives_a_state_file(kind, tmp_path):
     clip = simple.ClosedSurfaceClip(registrationName="Clipped", Input=simple.Box())
     clip.Planes, clip.Normal, clip.ScalarMode = TABLE, [0, 0, -1], "Labels"
     cut = simple.ClosedSurfaceCut(registrationName="Slices", Input=clip, Offsets=[-0.1, 0.0, 0.1])
     expected = (sources(clip), volume(clip), sources(cut))
-    save_and_load(kind, tmp_path)
+    states.replay(kind, tmp_path)
     clip, cut = simple.FindSource("Clipped"), simple.FindSource("Slices")
     assert list(clip.Planes) == TABLE and clip.ScalarMode == "Labels"
     assert list(cut.Offsets) == [-0.1, 0.0, 0.1]

@@ -5,6 +5,8 @@
 import pytest
 from paraview import simple
 
+import states
+
 DISTANCE = {
     "Input": None,
     "Tool": None,
@@ -86,15 +88,13 @@ def test_the_field_is_contoured():
     assert bounds == pytest.approx((-1.25, 1.25) * 3, abs=0.01)
 
 
-def test_a_state_file_gives_the_same_pipeline(tmp_path):
+@pytest.mark.parametrize("kind", states.KINDS)
+def test_a_state_file_gives_the_same_pipeline(kind, tmp_path):
     simple.SurfaceDistance(
         registrationName="Map", Input=cube(1), Tool=cube(2), NegateDistance=1, SignMethod="Winding Number"
     ).UpdatePipeline()
     simple.SurfaceDistanceField(registrationName="Field", Input=cube(1), Dimensions=[5, 6, 7]).UpdatePipeline()
-    file = tmp_path / "state.pvsm"
-    simple.SaveState(str(file))
-    simple.ResetSession()
-    simple.LoadState(str(file))
+    states.replay(kind, tmp_path)
     again, field = simple.FindSource("Map"), simple.FindSource("Field")
     again.UpdatePipeline(), field.UpdatePipeline()
     assert again.SignMethod == "Winding Number"

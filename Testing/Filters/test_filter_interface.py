@@ -6,7 +6,6 @@ carries and how, and what it says of input that it cannot use."""
 import numpy as np
 import pytest
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.util.vtkConstants import VTK_FLOAT, VTK_INT, VTK_SHORT, VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import (
@@ -18,7 +17,6 @@ from vtkmodules.vtkCommonDataModel import (
     vtkPolyData,
     vtkTable,
 )
-from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline, vtkTrivialProducer
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 
 import booleans
@@ -521,7 +519,7 @@ def test_an_input_that_changes_is_read_again():
     assert booleans.update(tested).volume == pytest.approx(16)
 
 
-# ---- composite data and time ------------------------------------------------------------------------
+# ---- composite data ------------------------------------------------------------------------
 
 
 def grouped(kind, parts):
@@ -552,44 +550,6 @@ def test_the_blocks_of_a_composite_count_as_one_surface(kind):
 def test_an_empty_composite_is_the_empty_set():
     result = boolean([quads()], [vtkMultiBlockDataSet()], DIFFERENCE)
     assert result.volume == pytest.approx(8) and result.status == 1
-
-
-class MovingCube(VTKPythonAlgorithmBase):
-    """A cube at x = time, at the steps given."""
-
-    def __init__(self, steps):
-        super().__init__(nInputPorts=0, outputType="vtkPolyData")
-        self.steps = steps
-
-    def RequestInformation(self, request, inputs, outputs):
-        info = outputs.GetInformationObject(0)
-        info.Set(vtkStreamingDemandDrivenPipeline.TIME_STEPS(), self.steps, len(self.steps))
-        info.Set(vtkStreamingDemandDrivenPipeline.TIME_RANGE(), (self.steps[0], self.steps[-1]), 2)
-        return 1
-
-    def RequestData(self, request, inputs, outputs):
-        info = outputs.GetInformationObject(0)
-        time = info.Get(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP()) or 0.0
-        vtkPolyData.GetData(outputs, 0).ShallowCopy(quads((time, 0, 0)))
-        return 1
-
-
-def test_the_time_steps_of_all_inputs_are_those_of_the_output():
-    still = vtkTrivialProducer()
-    still.SetOutput(quads())
-    movers = [MovingCube([0.0, 1.0]), MovingCube([0.5, 1.0, 3.0])]
-    tested = vtkPolyDataBooleanOperationFilter()
-    tested.SetInputConnection(0, still.GetOutputPort())
-    for mover in movers:
-        tested.AddInputConnection(1, mover.GetOutputPort())
-    tested.UpdateInformation()
-    for port in (0, 1):
-        info = tested.GetOutputInformation(port)
-        assert info.Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS()) == (0.0, 0.5, 1.0, 3.0)
-        assert info.Get(vtkStreamingDemandDrivenPipeline.TIME_RANGE()) == (0.0, 3.0)
-    for time, volume in ((0.0, 8), (1.0, 12), (3.0, 16)):
-        tested.UpdateTimeStep(time)
-        assert tested.GetOutput().GetFieldData().GetArray("ResultVolume").GetValue(0) == pytest.approx(volume)
 
 
 # ---- input that cannot be used ----------------------------------------------------------------------

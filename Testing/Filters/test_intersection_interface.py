@@ -5,11 +5,12 @@ and how paraview.simple and the menus know it."""
 
 import numpy as np
 import pytest
-from paraview import simple, smstate
+from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
 import meshes
+import states
 from booleans import polydata
 from intersections import intersection, update
 from meshes import box, mesh
@@ -219,20 +220,11 @@ def test_a_script_gets_curves_and_patches(session):
     assert total_length(proxy) == 6.0
 
 
-@pytest.mark.parametrize("kind", ("pvsm", "py"))
+@pytest.mark.parametrize("kind", states.KINDS)
 def test_a_state_file_gives_the_same_pipeline(kind, session, tmp_path):
     first, second = two_boxes()
     proxy = simple.SurfaceIntersection(registrationName="Seam", Input=first, Tool=second, SplitSecondOutput=0)
     assert total_length(proxy) == 6.0
-    file = tmp_path / f"state.{kind}"
-    if kind == "pvsm":
-        simple.SaveState(str(file))
-    else:
-        file.write_text(smstate.get_state())
-    simple.ResetSession()
-    if kind == "pvsm":
-        simple.LoadState(str(file))
-    else:
-        exec(compile(file.read_text(), str(file), "exec"), {})
+    states.replay(kind, tmp_path)
     again = simple.FindSource("Seam")
     assert again.SplitSecondOutput == 0 and total_length(again) == 6.0

@@ -13,6 +13,7 @@ from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import cad
+import states
 
 cad.needs_cad()
 
@@ -72,7 +73,7 @@ def test_patches_survive_a_file_of_facets(tmp_path):
     assert again.FieldData["NumberOfFaces"].GetRange() == (10, 10)
 
 
-@pytest.mark.parametrize("kind", ["pvsm", "py"])
+@pytest.mark.parametrize("kind", states.KINDS)
 def test_patches_are_there_after_a_state_was_replayed(tmp_path, kind):
     reader = simple.OpenDataFile(SCREW)
     reader.ChordError = 2e-3
@@ -81,17 +82,7 @@ def test_patches_are_there_after_a_state_was_replayed(tmp_path, kind):
     simple.RenameSource("Moved", moved)
     moved.UpdatePipeline()
     before, points = patches_after(moved), servermanager.Fetch(moved).GetNumberOfPoints()
-    state = str(tmp_path / f"state.{kind}")
-    if kind == "pvsm":
-        simple.SaveState(state)
-        simple.ResetSession()
-        simple.LoadState(state)
-    else:
-        from paraview import smstate
-
-        text = smstate.get_state()
-        simple.ResetSession()
-        exec(compile(text, state, "exec"), {})
+    states.replay(kind, tmp_path)
     again = simple.FindSource("Moved")
     again.UpdatePipeline()
     after = patches_after(again)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 import pytest
-from paraview import simple, smstate
+from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
@@ -20,26 +20,23 @@ from vtkmodules.vtkCommonDataModel import (
 
 import clouds
 import meshes
-from booleans import arrays_of, cells_of, heard_from, points_of, polydata
+import states
+from booleans import Reported, arrays_of, cells_of, heard_from, points_of, polydata
 
 OK, COINCIDENT_AREA, FACETS_ONLY, BAD_REQUEST, NOT_POINTS, NOT_A_SURFACE, TOO_FEW_POINTS = 0, 4, 5, 10, 20, 21, 30
 NO_END, TOOL_BORDER, SCAN_BORDER = 0, 1, 2
 
 
 @dataclass
-class Curves:
+class Curves(Reported):
     data: vtkPolyData
     points: np.ndarray
     lines: list  # of arrays of point ids
     of_points: dict
     of_curves: dict
-    fields: dict
+    field_data: dict
     errors: list = field(default_factory=list)
     warnings: list = field(default_factory=list)
-
-    @property
-    def status(self):
-        return int(self.fields["Status"][0])
 
     def bytes(self):
         parts = [self.points.tobytes()] + [line.tobytes() for line in self.lines]
@@ -119,7 +116,7 @@ def test_a_box_cuts_arcs_out_of_a_sphere():
     assert np.abs(np.linalg.norm(result.points, axis=1) - 1).max() < 1e-5
     assert np.einsum("ij,ij->i", result.of_points["Normals"], result.points).min() > 0.999
     assert np.median(result.of_points["Curvature"]) == pytest.approx(-1 / radius, rel=0.01)
-    assert result.fields["CoincidentArea"][0] == 0
+    assert result.number("CoincidentArea") == 0
     # A corner is a point of each curve that turns around it: the three arcs lie on three planes.
     assert all((np.abs(result.points[:, axis] - 0.3) < 1e-12).sum() > 5 for axis in range(3))
 
@@ -152,7 +149,7 @@ def test_a_torus_and_a_ball_around_its_hole():
     data = clouds.cloud(*clouds.torus(20000, rng))
     ball = meshes.icosphere(5)
     result = curves_of(data, ball)
-    check(result, ball, 0.1 * result.fields["Spacing"][0])
+    check(result, ball, 0.1 * result.number("Spacing"))
     # Both circles about the axis at a distance of (1 + 1 - 0.16) / 2 from it.
     assert result.of_curves["Closed"].tolist() == [1, 1]
     assert result.of_curves["Length"] == pytest.approx(2 * np.pi * 0.92, rel=2e-3)
@@ -202,7 +199,7 @@ def test_real_scans_and_real_meshes(cloud, mesh, share):
     factor = share * np.linalg.norm(upper - lower) / np.linalg.norm(high - low)
     body = meshes.mesh((body.points - (low + high) / 2) * factor + lower + 0.7 * (upper - lower), body.triangles)
     result = curves_of(data, body)
-    spacing = result.fields["Spacing"][0]
+    spacing = result.number("Spacing")
     assert result.lines
     check(result, body, 0.1 * spacing)
     assert np.abs(values_at(data, result.points)).max() < 1e-9 * spacing
@@ -248,9 +245,9 @@ def test_a_scan_of_the_tool_itself_is_reported_and_not_marched():
     result = curves_of(data, box)
     assert result.status == COINCIDENT_AREA and not result.errors
     assert len(result.warnings) == 1 and "area" in result.warnings[0]
-    assert 12 < result.fields["CoincidentArea"][0] < 24
+    assert 12 < result.number("CoincidentArea") < 24
     moved = curves_of(data, meshes.moved(box, (0.2, 0.1, 0.05)))
-    assert moved.status == OK and moved.fields["CoincidentArea"][0] == 0 and len(moved.lines) == 1
+    assert moved.status == OK and moved.number("CoincidentArea") == 0 and len(moved.lines) == 1
 
 
 def test_composite_inputs_count_as_one():
@@ -349,23 +346,14 @@ def test_the_proxy_takes_a_tool_and_gives_it_back():
     assert "CoincidentArea" not in proxy.FieldData.keys()
 
 
-@pytest.mark.parametrize("kind", ["pvsm", "py"])
+@pytest.mark.parametrize("kind", states.KINDS)
 def test_a_state_file_gives_the_same_curves(kind, tmp_path):
     simple.ResetSession()
     proxy = proxy_with_a_tool()
     proxy.ChordError = 0.002
     check_proxy(proxy)
     wanted = proxy.GetDataInformation().GetNumberOfPoints()
-    file = tmp_path / f"state.{kind}"
-    if kind == "pvsm":
-        simple.SaveState(str(file))
-    else:
-        file.write_text(smstate.get_state())
-    simple.ResetSession()
-    if kind == "pvsm":
-        simple.LoadState(str(file))
-    else:
-        exec(compile(file.read_text(), str(file), "exec"), {})
+    states.replay(kind, tmp_path)
     again = simple.FindSource("Curves")
     assert again.ChordError == 0.002
     check_proxy(again)

@@ -159,7 +159,7 @@ def test_a_real_scan_and_a_real_cad_file(name, share):
     result = curves_of(data, body.data)
     assert result.status == OK and not result.errors and not result.warnings
     assert len(result.lines) > 0 and result.of_curves["Closed"].all()
-    assert result.of_curves["ChordError"].max() <= 0.1 * result.fields["Spacing"][0]
+    assert result.of_curves["ChordError"].max() <= 0.1 * result.number("Spacing")
     exact = cad.Patches(body.field_data)
     for face in np.unique(result.of_points["FaceId"]):
         mine = result.of_points["FaceId"] == face

@@ -3,7 +3,9 @@
 """Point Set Surface as paraview.simple and the menus know it, and through a state file."""
 
 import pytest
-from paraview import simple, smstate
+from paraview import simple
+
+import states
 
 PROPERTIES = {
     "Input": None,
@@ -52,7 +54,7 @@ def test_every_property_tells_what_it_is_for():
     assert hints.FindNestedElementByName("ShowInMenu").GetAttribute("icon").endswith("PointSetSurface.svg")
 
 
-@pytest.mark.parametrize("kind", ["pvsm", "py"])
+@pytest.mark.parametrize("kind", states.KINDS)
 def test_a_state_file_gives_the_same_surface(kind, tmp_path):
     proxy = simple.PointSetSurface(registrationName="Skin", Input=ball(), GenerateSurface=1, Definition="Amenta-Kil")
     proxy.CellSize = 0.5
@@ -65,16 +67,7 @@ def test_a_state_file_gives_the_same_surface(kind, tmp_path):
 
     wanted = triangles(proxy)
     assert wanted > 100
-    file = tmp_path / f"state.{kind}"
-    if kind == "pvsm":
-        simple.SaveState(str(file))
-    else:
-        file.write_text(smstate.get_state())
-    simple.ResetSession()
-    if kind == "pvsm":
-        simple.LoadState(str(file))
-    else:
-        exec(compile(file.read_text(), str(file), "exec"), {})
+    states.replay(kind, tmp_path)
     again = simple.FindSource("Skin")
     assert again.Definition == "Amenta-Kil" and again.CellSize == 0.5
     assert triangles(again) == wanted

@@ -213,7 +213,7 @@ def assert_refused(result, status, *words):
     assert result.is_empty and result.status == status
     assert len(result.errors) == 1, result.errors
     for word in words:
-        assert word in result.fields["Message"][0]
+        assert word in result.message
 
 
 def test_too_few_points_are_refused():

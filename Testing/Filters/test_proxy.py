@@ -5,7 +5,9 @@
 import subprocess
 
 import pytest
-from paraview import simple, smstate
+from paraview import simple
+
+import states
 
 PROPERTIES = {
     "Input": None,
@@ -100,22 +102,13 @@ def test_a_composite_input_is_one_surface():
     assert proxy.CellData["SourceId"].GetRange() == (0, 1)
 
 
-@pytest.mark.parametrize("kind", ["pvsm", "py"])
+@pytest.mark.parametrize("kind", states.KINDS)
 def test_a_state_file_gives_the_same_pipeline(kind, tmp_path):
     first, second, third = boxes((0, 0, 0), (1, 1, 1), (-1, -1, -1))
     proxy = simple.SurfaceBoolean(registrationName="Bitten", Input=first, Tool=[second, third], Operation="Difference")
     proxy.NumberOfThreads = 2
     assert volume(proxy) == pytest.approx(6)
-    file = tmp_path / f"state.{kind}"
-    if kind == "pvsm":
-        simple.SaveState(str(file))
-    else:
-        file.write_text(smstate.get_state())
-    simple.ResetSession()
-    if kind == "pvsm":
-        simple.LoadState(str(file))
-    else:
-        exec(compile(file.read_text(), str(file), "exec"), {})
+    states.replay(kind, tmp_path)
     again = simple.FindSource("Bitten")
     assert again.Operation == "Difference" and again.NumberOfThreads == 2
     assert volume(again) == pytest.approx(6)

@@ -5,9 +5,10 @@
 import numpy as np
 import pytest
 import surfacebooleans.vtk  # noqa: F401  (before the first proxy, so that its objects have our methods)
-from paraview import simple, smstate
+from paraview import simple
 
 import meshes
+import states
 from booleans import polydata
 from meshes import box, inside_out, joined, mesh, moved, scaled
 
@@ -153,21 +154,12 @@ def test_the_properties_and_their_help():
     assert all(name in help_text for name in arrays if name != "Normals")
 
 
-@pytest.mark.parametrize("kind", ("pvsm", "py"))
+@pytest.mark.parametrize("kind", states.KINDS)
 def test_a_state_file_gives_the_same_pipeline(kind, tmp_path):
     tube = simple.Cylinder(Capping=0, Resolution=8)
     checked = simple.SurfaceCheck(registrationName="Look", Input=tube, SelfIntersections=0)
     assert field(checked, "BoundaryLoopCount") == 2
-    file = tmp_path / f"state.{kind}"
-    if kind == "pvsm":
-        simple.SaveState(str(file))
-    else:
-        file.write_text(smstate.get_state())
-    simple.ResetSession()
-    if kind == "pvsm":
-        simple.LoadState(str(file))
-    else:
-        exec(compile(file.read_text(), str(file), "exec"), {})
+    states.replay(kind, tmp_path)
     again = simple.FindSource("Look")
     assert again.SelfIntersections == 0 and field(again, "BoundaryLoopCount") == 2
 
