@@ -89,16 +89,24 @@ public:
   /** The boxes by their numbers, in their order along the curve: box Order()[p] is at *place* p. */
   const std::vector<std::int32_t>& Order() const { return this->Numbers; }
 
-  /** How many groups of Width places that follow each other there are. */
-  std::int32_t NumberOfGroups() const { return (this->Size() + Width - 1) / Width; }
+  /** Groups of level 0 have Width places that follow each other, those of the next ones Width
+   * groups. */
+  std::int32_t NumberOfLevels() const { return static_cast<std::int32_t>(this->Levels.size()); }
+  std::int32_t NumberOfGroups(std::int32_t level = 0) const
+  {
+    return this->Levels.empty()
+      ? 0
+      : static_cast<std::int32_t>(this->Levels[static_cast<std::size_t>(level)].size());
+  }
 
   /**
-   * Call visit(p, q) for the places p < q of each pair of boxes that meet, p in this group, and of
-   * some that are only next to each other; all groups together give each pair once. What lies
-   * together is asked together, whatever the order in which the boxes came.
+   * Call visit(p, q) for the places p < q of each pair of boxes that meet, p in this group of level
+   * 0, and of some that are only next to each other; all groups together give each pair once. What
+   * lies together is asked together, whatever the order in which the boxes came. Groups with
+   * skip(level, index) are passed over.
    */
-  template <class Visit>
-  void ForEachPairOfGroup(std::int32_t group, Visit&& visit) const;
+  template <class Skip, class Visit>
+  void ForEachPairOfGroup(std::int32_t group, Skip&& skip, Visit&& visit) const;
 
 private:
   static constexpr int MostLevels = 11; // 8^11 > 2^31
@@ -208,16 +216,16 @@ void BVH::ForEachOverlap(const Query* queries, int numberOfQueries, Visit&& visi
   });
 }
 
-template <class Visit>
-void BVH::ForEachPairOfGroup(std::int32_t group, Visit&& visit) const
+template <class Skip, class Visit>
+void BVH::ForEachPairOfGroup(std::int32_t group, Skip&& skip, Visit&& visit) const
 {
   const EightBoxes& asking = this->Levels[0][static_cast<std::size_t>(group)];
-  const auto mayHoldLater = [group](std::int32_t level, std::int32_t index) {
-    // The last group below that node; those before the asking one have asked already.
-    const std::int64_t last = ((std::int64_t(index) + 1) << (3 * level)) - 1;
-    return last >= group;
+  const auto isToBeAsked = [&](std::int32_t level, std::int32_t index) {
+    // Groups before the asking one have asked already.
+    const std::int32_t holder = group >> 3 * level;
+    return index >= holder && !skip(level, index);
   };
-  this->Descend(asking.Bounds(), mayHoldLater, [&](std::int32_t place, const FloatBox& box) {
+  this->Descend(asking.Bounds(), isToBeAsked, [&](std::int32_t place, const FloatBox& box) {
     unsigned hits = asking.LanesThatMeet(box);
     hits &= place / Width == group ? (1u << place % Width) - 1 : ~0u; // places before this one
     for (; hits != 0; hits &= hits - 1)

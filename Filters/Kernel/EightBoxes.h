@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
 #if defined(__SSE2__) || defined(_M_X64)
 #include <emmintrin.h>
@@ -22,8 +23,12 @@ struct FloatBox
   float Lower[3];
   float Upper[3];
 
-  /** A box that meets no other one in [-2, 2]. */
-  static FloatBox Nothing() { return { { 3.0f, 3.0f, 3.0f }, { -3.0f, -3.0f, -3.0f } }; }
+  /** A box that meets no other one. */
+  static FloatBox Nothing()
+  {
+    constexpr float most = std::numeric_limits<float>::max();
+    return { { most, most, most }, { -most, -most, -most } };
+  }
 };
 
 /** Coordinate by coordinate; a lane without a box holds Nothing(). */

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SelfIntersection.h"
 
-#include "BVH.h"
 #include "Contacts.h"
 #include "ParallelSort.h"
-#include "Predicates.h"
+#include "PlainSheets.h"
 #include "StitchedSeams.h"
+#include "TriangleRuns.h"
+#include "TriangleSeparation.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
-#include <cmath>
-#include <memory>
 
 namespace sb
 {
@@ -20,125 +20,97 @@ namespace
 {
 
 constexpr std::int64_t Grain = 4096;
-constexpr std::int64_t GroupGrain = 128;
+constexpr std::int64_t GroupGrain = 64;
 
-/**
- * A triangle as the filter sees it; in the order of the hierarchy, so that what is compared lies
- * together. Its plane's normal, from exact differences, gives signs of Orient3D wherever their size
- * is above Error times the offset (the bound of Predicates.h, with the largest of three factors).
- */
-struct FlatTriangle
+/** Compares the runs of one group with those around it. */
+class RunComparison
 {
-  double P[3][3];
-  double Normal[3];
-  double Error;
-  std::int32_t Vertices[3];
-  std::int32_t Face;
+public:
+  RunComparison(
+    const SelfIntersectionInput& input, const TriangleRuns& runs, std::vector<std::uint64_t>& found)
+    : In(input)
+    , Runs(runs)
+    , Found(found)
+  {
+  }
+
+  void Compare(std::int32_t asking, std::int32_t other)
+  {
+    this->Prepare(this->Asking[std::size_t(asking % BVH::Width)], asking);
+    if (asking != other)
+    {
+      this->Prepare(this->Other, other);
+    }
+    Run& a = this->Asking[std::size_t(asking % BVH::Width)];
+    Run& b = asking == other ? a : this->Other;
+    for (unsigned lanes = b.Boxes->LanesThatMeet(a.Bounds); lanes != 0; lanes &= lanes - 1)
+    {
+      const int lane = LowestLane(lanes);
+      unsigned hits = a.Boxes->LanesThatMeet(b.Boxes->Get(lane));
+      hits &= asking == other ? (1u << lane) - 1 : ~0u; // each pair once
+      for (; hits != 0; hits &= hits - 1)
+      {
+        this->CompareTriangles(this->TriangleOf(a, LowestLane(hits)), this->TriangleOf(b, lane));
+      }
+    }
+  }
+
+private:
+  /** Its triangles are read when they are first asked for. */
+  struct Run
+  {
+    std::int32_t Place = -1;
+    unsigned Known = 0; ///< bit i: triangle i has been read
+    const EightBoxes* Boxes = nullptr;
+    FloatBox Bounds{};
+    std::array<FlatTriangle, EightBoxes::Width> Triangles;
+  };
+
+  void Prepare(Run& run, std::int32_t place) const
+  {
+    if (run.Place != place)
+    {
+      run.Place = place;
+      run.Known = 0;
+      run.Boxes = &this->Runs.BoxesOf(place);
+      run.Bounds = run.Boxes->Bounds();
+    }
+  }
+
+  const FlatTriangle& TriangleOf(Run& run, int lane) const
+  {
+    FlatTriangle& triangle = run.Triangles[std::size_t(lane)];
+    if ((run.Known >> lane & 1u) == 0)
+    {
+      run.Known |= 1u << lane;
+      triangle.Face = this->Runs.FacesOf(run.Place)[lane];
+      const std::size_t first = 3 * std::size_t(triangle.Face);
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        std::copy_n(
+          this->In.World.Position(this->In.World.Mesh(0).Triangles[first + i]), 3, triangle.P[i]);
+        triangle.Vertices[i] = this->In.Corners[first + i];
+      }
+      SetPlane(triangle);
+    }
+    return triangle;
+  }
+
+  void CompareTriangles(const FlatTriangle& a, const FlatTriangle& b)
+  {
+    if (!AreApart(a, b))
+    {
+      const std::uint64_t lower = static_cast<std::uint32_t>(std::min(a.Face, b.Face));
+      this->Found.push_back(lower << 32 | static_cast<std::uint32_t>(std::max(a.Face, b.Face)));
+    }
+  }
+
+  const SelfIntersectionInput& In;
+  const TriangleRuns& Runs;
+  std::vector<std::uint64_t>& Found; ///< pairs of faces, the lower one in the higher bits
+  std::array<Run, BVH::Width> Asking;
+  Run Other;
 };
-
-void SetPlane(FlatTriangle& triangle)
-{
-  const double* a = triangle.P[0];
-  double p[3];
-  double q[3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    p[axis] = triangle.P[1][axis] - a[axis];
-    q[axis] = triangle.P[2][axis] - a[axis];
-  }
-  double largest = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double left = p[(axis + 1) % 3] * q[(axis + 2) % 3];
-    const double right = p[(axis + 2) % 3] * q[(axis + 1) % 3];
-    triangle.Normal[axis] = left - right;
-    largest = std::max(largest, std::fabs(left) + std::fabs(right));
-  }
-  constexpr double sevenRoundings = 7.0 / 9007199254740992.0;
-  triangle.Error = sevenRoundings * largest;
-}
-
-/** Which corners of one triangle are corners of another one: bit i for corner i. */
-unsigned CommonCorners(const FlatTriangle& of, const FlatTriangle& with)
-{
-  unsigned common = 0;
-  for (unsigned i = 0; i < 3; ++i)
-  {
-    const std::int32_t v = of.Vertices[i];
-    common |= static_cast<unsigned>(
-                (v == with.Vertices[0]) | (v == with.Vertices[1]) | (v == with.Vertices[2]))
-      << i;
-  }
-  return common;
-}
-
-/** Whether all corners of `b` that are not `common` are certainly off a's plane on one side. */
-bool IsOffPlane(const FlatTriangle& a, const FlatTriangle& b, unsigned common)
-{
-  int side = 0;
-  for (unsigned i = 0; i < 3; ++i)
-  {
-    if (common >> i & 1u)
-    {
-      continue;
-    }
-    const double r[3] = { b.P[i][0] - a.P[0][0], b.P[i][1] - a.P[0][1], b.P[i][2] - a.P[0][2] };
-    const double height = r[0] * a.Normal[0] + r[1] * a.Normal[1] + r[2] * a.Normal[2];
-    const double reach = std::fabs(r[0]) + std::fabs(r[1]) + std::fabs(r[2]);
-    if (!(std::fabs(height) > a.Error * reach))
-    {
-      return false;
-    }
-    const int sign = height > 0.0 ? 1 : -1;
-    if (sign == -side)
-    {
-      return false;
-    }
-    side = sign;
-  }
-  return true;
-}
-
-/**
- * Whether an edge of `a` has `b` beyond it, seen along a's dominant axis: the plane through the
- * edge along that axis then parts the two, but for corners that they have in common.
- */
-bool IsBeyondEdge(
-  const FlatTriangle& a, const FlatTriangle& b, unsigned commonOfA, unsigned commonOfB)
-{
-  int axis = std::fabs(a.Normal[1]) > std::fabs(a.Normal[0]) ? 1 : 0;
-  axis = std::fabs(a.Normal[2]) > std::fabs(a.Normal[axis]) ? 2 : axis;
-  const int turn = Orient2D(a.P[0], a.P[1], a.P[2], axis);
-  for (unsigned edge = 0; edge < 3 && turn != 0; ++edge)
-  {
-    const unsigned head = (edge + 1) % 3;
-    const unsigned apex = (edge + 2) % 3;
-    bool isBeyond = (commonOfA >> apex & 1u) == 0;
-    for (unsigned i = 0; i < 3 && isBeyond; ++i)
-    {
-      isBeyond =
-        (commonOfB >> i & 1u) != 0 || Orient2D(a.P[edge], a.P[head], b.P[i], axis) * turn < 0;
-    }
-    if (isBeyond)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-/** Whether two triangles certainly have no more than corners or an edge in common. */
-bool AreApart(const FlatTriangle& a, const FlatTriangle& b)
-{
-  const unsigned commonOfB = CommonCorners(b, a);
-  const unsigned commonOfA = commonOfB == 0 ? 0 : CommonCorners(a, b);
-  if (commonOfB == 7)
-  {
-    return false; // copies: which of them count, is for others to say
-  }
-  return IsOffPlane(a, b, commonOfB) || IsOffPlane(b, a, commonOfA) ||
-    IsBeyondEdge(a, b, commonOfA, commonOfB) || IsBeyondEdge(b, a, commonOfB, commonOfA);
-}
 
 class SelfSearch
 {
@@ -152,11 +124,7 @@ public:
 
   SelfIntersections Run()
   {
-    this->ListFaces();
-    this->BuildTree();
-    this->OrderTriangles();
-    std::vector<TrianglePair> pairs = this->FindCandidates();
-    this->Triangles.reset();
+    const std::vector<TrianglePair> pairs = this->FindCandidates();
     if (this->Watch.Aborted())
     {
       return {};
@@ -166,96 +134,46 @@ public:
   }
 
 private:
-  /** Those that have an area. */
-  void ListFaces()
-  {
-    const std::int32_t count = this->In.World.NumberOfFaces();
-    this->Faces.reserve(std::size_t(count));
-    for (std::int32_t face = 0; face < count; ++face)
-    {
-      if (this->In.Collapsed.empty() || !this->In.Collapsed[std::size_t(face)])
-      {
-        this->Faces.push_back(face);
-      }
-    }
-  }
-
-  const double* CornerOf(std::int32_t face, std::size_t corner) const
-  {
-    return this->In.World.Position(
-      this->In.World.Mesh(0).Triangles[3 * std::size_t(face) + corner]);
-  }
-
-  void BuildTree()
-  {
-    const std::unique_ptr<Box[]> boxes(new Box[this->Faces.size()]);
-    this->Threads.For(static_cast<std::int64_t>(this->Faces.size()), Grain,
-      [&](std::int64_t begin, std::int64_t end) {
-        for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i)
-        {
-          const double* a = this->CornerOf(this->Faces[i], 0);
-          const double* b = this->CornerOf(this->Faces[i], 1);
-          const double* c = this->CornerOf(this->Faces[i], 2);
-          for (std::size_t axis = 0; axis < 3; ++axis)
-          {
-            boxes[i].Lower[axis] = std::min({ a[axis], b[axis], c[axis] });
-            boxes[i].Upper[axis] = std::max({ a[axis], b[axis], c[axis] });
-          }
-        }
-      });
-    this->Tree.Build(boxes.get(), static_cast<std::int32_t>(this->Faces.size()), this->Threads);
-  }
-
-  void OrderTriangles()
-  {
-    // Not initialised: the pages are first touched by the threads that fill them.
-    this->Triangles.reset(new FlatTriangle[this->Faces.size()]);
-    this->Threads.For(static_cast<std::int64_t>(this->Faces.size()), Grain,
-      [&](std::int64_t begin, std::int64_t end) {
-        for (std::size_t place = std::size_t(begin); place < std::size_t(end); ++place)
-        {
-          FlatTriangle& triangle = this->Triangles[place];
-          triangle.Face = this->Faces[std::size_t(this->Tree.Order()[place])];
-          for (std::size_t i = 0; i < 3; ++i)
-          {
-            std::copy_n(this->CornerOf(triangle.Face, i), 3, triangle.P[i]);
-            triangle.Vertices[i] = this->In.Corners[3 * std::size_t(triangle.Face) + i];
-          }
-          SetPlane(triangle);
-        }
-      });
-  }
-
   std::vector<TrianglePair> FindCandidates()
   {
-    const std::int64_t groups = this->Tree.NumberOfGroups();
+    const TriangleRuns runs(this->In.World, this->In.Collapsed, this->Threads);
+    const PlainSheets sheets(runs, this->In.World, this->In.Corners, this->In.Edges, this->Threads);
+    const std::int64_t groups = runs.Tree().NumberOfGroups();
     std::vector<std::vector<std::uint64_t>> parts(
       std::size_t((groups + GroupGrain - 1) / GroupGrain));
     this->Threads.For(
       static_cast<std::int64_t>(parts.size()), 1, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t part = begin; part < end && !this->Watch.Aborted(); ++part)
         {
+          RunComparison comparison(this->In, runs, parts[std::size_t(part)]);
           const std::int64_t last = std::min(groups, (part + 1) * GroupGrain);
           for (std::int64_t group = part * GroupGrain; group < last; ++group)
           {
-            this->AskGroup(static_cast<std::int32_t>(group), parts[std::size_t(part)]);
+            AskGroup(static_cast<std::int32_t>(group), runs.Tree(), sheets, comparison);
           }
         }
       });
     return this->Sorted(parts);
   }
 
-  void AskGroup(std::int32_t group, std::vector<std::uint64_t>& found) const
+  static void AskGroup(
+    std::int32_t group, const BVH& tree, const PlainSheets& sheets, RunComparison& comparison)
   {
-    this->Tree.ForEachPairOfGroup(group, [&](std::int32_t p, std::int32_t q) {
-      const FlatTriangle& a = this->Triangles[std::size_t(p)];
-      const FlatTriangle& b = this->Triangles[std::size_t(q)];
-      if (!AreApart(a, b))
+    const auto isOnSameSheet = [&](std::int32_t level, std::int32_t index) {
+      return sheets.AreTogether(group, level, index);
+    };
+    const auto compare = [&](std::int32_t p, std::int32_t q) {
+      if (!sheets.AreTogether(p, q))
       {
-        const std::uint64_t lower = static_cast<std::uint32_t>(std::min(a.Face, b.Face));
-        found.push_back(lower << 32 | static_cast<std::uint32_t>(std::max(a.Face, b.Face)));
+        comparison.Compare(p, q);
       }
-    });
+    };
+    tree.ForEachPairOfGroup(group, isOnSameSheet, compare);
+    for (std::int32_t p = BVH::Width * group; p < std::min(tree.Size(), BVH::Width * (group + 1));
+         ++p)
+    {
+      compare(p, p);
+    }
   }
 
   bool AreCopies(std::int32_t a, std::int32_t b) const
@@ -342,9 +260,6 @@ private:
   const SelfIntersectionInput& In;
   Executor& Threads;
   Monitor& Watch;
-  std::vector<std::int32_t> Faces;
-  BVH Tree;
-  std::unique_ptr<FlatTriangle[]> Triangles; ///< in the order of the tree
 };
 
 } // namespace
