@@ -432,7 +432,7 @@ private:
       });
   }
 
-  /** The cloud's own vertices are zeros of the function to rounding. */
+  /** The cloud's own vertices are zeros of the function to 1e-7 of a spacing. */
   void FillResiduals()
   {
     this->Result.Residuals.resize(this->Result.Sides.size());

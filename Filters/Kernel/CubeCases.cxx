@@ -28,6 +28,24 @@ bool LieOnOneFace(int edge, int other)
     (~lower & ~upper & ~otherLower & ~otherUpper & 7) != 0;
 }
 
+/**
+ * The corners of a face, in a ring, counter-clockwise as seen from outside of the cube.
+ * @param face 2 a for the lower and 2 a + 1 for the upper one on axis a
+ */
+std::array<int, 4> CornersOfCubeFace(int face)
+{
+  const int axis = face / 2;
+  const int side = (face & 1) << axis;
+  const int u = 1 << (axis + 1) % 3;
+  const int v = 1 << (axis + 2) % 3;
+  std::array<int, 4> ring{ side, side | u, side | u | v, side | v };
+  if ((face & 1) == 0)
+  {
+    std::swap(ring[1], ring[3]);
+  }
+  return ring;
+}
+
 /** The edge that follows each crossed edge in the loops; -1 for others. */
 std::array<int, 12> Successors(int inside)
 {
@@ -113,20 +131,6 @@ int LowerCornerOfCubeEdge(int edge)
 {
   const int axis = edge / 4;
   return (edge & 1) << (axis + 1) % 3 | (edge >> 1 & 1) << (axis + 2) % 3;
-}
-
-std::array<int, 4> CornersOfCubeFace(int face)
-{
-  const int axis = face / 2;
-  const int side = (face & 1) << axis;
-  const int u = 1 << (axis + 1) % 3;
-  const int v = 1 << (axis + 2) % 3;
-  std::array<int, 4> ring{ side, side | u, side | u | v, side | v };
-  if ((face & 1) == 0)
-  {
-    std::swap(ring[1], ring[3]);
-  }
-  return ring;
 }
 
 const std::vector<CubeTriangle>& TrianglesOfCube(int inside)

@@ -33,12 +33,6 @@ using CubeTriangle = std::array<std::uint8_t, 3>;
 /** @param inside bit c is set if corner c is inside. */
 const std::vector<CubeTriangle>& TrianglesOfCube(int inside);
 
-/**
- * The corners of a face, in a ring, counter-clockwise as seen from outside of the cube.
- * @param face 2 a for the lower and 2 a + 1 for the upper one on axis a
- */
-std::array<int, 4> CornersOfCubeFace(int face);
-
 } // namespace sb
 
 #endif

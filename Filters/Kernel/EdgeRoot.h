@@ -22,6 +22,9 @@ struct CrossedEdge
   bool StartsInside = false;
 };
 
+/** For FindEdgeRoot, where roots are wanted to rounding. */
+constexpr double RootStep = 1e-12;
+
 struct EdgeRoot
 {
   Real3 Point{};
@@ -33,8 +36,14 @@ struct EdgeRoot
   }
 };
 
-/** By Newton's method, halving where it would leave the bracket. */
-EdgeRoot FindEdgeRoot(const MovingLeastSquares& surface, const CrossedEdge& edge,
+/**
+ * By the zero of the cubic that has the values at both ends of the bracket, and value and slope at
+ * the last place: where an edge is not much longer than the surface's detail, one evaluation leaves
+ * next to nothing to do. By halving where that would leave the bracket.
+ * @param step in lengths of the edge: the largest curved part of a step that is not looked at
+ * again. The error is smaller by orders.
+ */
+EdgeRoot FindEdgeRoot(const MovingLeastSquares& surface, const CrossedEdge& edge, double step,
   MovingLeastSquares::Neighbourhood& near);
 
 } // namespace sb

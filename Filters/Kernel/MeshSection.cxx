@@ -177,7 +177,7 @@ private:
             { this->Band.Place(a), Difference(this->Band.Place(b), this->Band.Place(a)),
               this->Band.Values[static_cast<std::size_t>(a)].Value,
               this->Band.Values[static_cast<std::size_t>(b)].Value, this->Band.IsInside(a) },
-            near);
+            RootStep, near);
         }
       });
   }

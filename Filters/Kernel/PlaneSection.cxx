@@ -266,7 +266,7 @@ private:
       edge % 2 == 0 ? Square{ lower.U + 1, lower.V } : Square{ lower.U, lower.V + 1 });
     const EdgeRoot root = FindEdgeRoot(this->Surface,
       { start, along, this->Values[place / 2], this->Values[other], this->IsInside(place / 2) },
-      this->Near);
+      RootStep, this->Near);
     this->Points[place] = root.Point;
     this->Supported[place] = root.IsSupported() ? Yes : No;
     return root.IsSupported();

@@ -4,124 +4,43 @@
 
 #include "CubeCases.h"
 #include "DisjointSets.h"
+#include "EdgeRoot.h"
+#include "GridBlocks.h"
 #include "ParallelSort.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <utility>
 
 namespace sb
 {
 namespace
 {
 
-constexpr std::int64_t Grain = 256;
+constexpr std::int64_t Grain = 16; ///< of blocks
+constexpr std::size_t MostBlocks = std::size_t(1) << 24;
+constexpr double CurvedStep = 1e-7; ///< of FindEdgeRoot; leaves errors of 1e-8 of a spacing
 constexpr double SpeckInWidths = 3.0;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double MostCells = 1 << 28; ///< across the cloud
 
-/** A cell of the grid, or the node at its lower corner. */
-struct Cell
+/** Nodes and cells of one block, and what is known of them. */
+struct Block
 {
-  std::int32_t X, Y, Z;
-
-  /** Morton's order: that of the axis whose numbers differ in the highest bit. Cells that follow
-   * each other are near each other, and so are their samples. */
-  bool operator<(const Cell& other) const
-  {
-    const std::uint32_t mine[3] = { Shifted(this->X), Shifted(this->Y), Shifted(this->Z) };
-    const std::uint32_t theirs[3] = { Shifted(other.X), Shifted(other.Y), Shifted(other.Z) };
-    std::size_t axis = 2;
-    for (std::size_t k = 2; k-- > 0;)
-    {
-      const std::uint32_t highest = mine[axis] ^ theirs[axis];
-      const std::uint32_t bits = mine[k] ^ theirs[k];
-      axis = highest < bits && highest < (highest ^ bits) ? k : axis;
-    }
-    return mine[axis] < theirs[axis];
-  }
-  bool operator==(const Cell& other) const
-  {
-    return this->X == other.X && this->Y == other.Y && this->Z == other.Z;
-  }
-  /** As if the smallest number were 0. */
-  static std::uint32_t Shifted(std::int32_t a)
-  {
-    return static_cast<std::uint32_t>(a) ^ 0x80000000u;
-  }
-  Cell Corner(int corner) const
-  {
-    return { this->X + (corner & 1), this->Y + (corner >> 1 & 1), this->Z + (corner >> 2 & 1) };
-  }
+  BlockBits Asked = 0; ///< cells that were looked at, or are in this wave
+  BlockBits Next = 0; ///< cells to look at in the next wave
+  BlockBits Wave = 0;
+  BlockBits Wanted = 0; ///< nodes to evaluate
+  BlockBits Evaluated = 0;
+  BlockBits Known = 0; ///< nodes with a value
+  BlockBits Inside = 0;
+  BlockBits Crossed = 0; ///< cells
+  std::array<BlockBits, 3> Edges{}; ///< crossed, for each axis
+  std::array<std::int32_t, 3> FirstVertex{}; ///< on those edges
+  std::array<std::int32_t, 8> Above{ -1, -1, -1, -1, -1, -1, -1, -1 }; ///< -1 if not looked up
+  std::array<double, 64> Values{};
 };
-
-/** From cells to numbers: open addressing, sized for what is to come. */
-class CellNumbers
-{
-public:
-  void Reserve(std::size_t count)
-  {
-    if (2 * count < this->Slots.size())
-    {
-      return;
-    }
-    std::size_t size = 1024;
-    while (size < 4 * count)
-    {
-      size *= 2;
-    }
-    std::vector<Slot> old(size);
-    old.swap(this->Slots);
-    for (const Slot& slot : old)
-    {
-      if (slot.Number >= 0)
-      {
-        this->Insert(slot.Key, slot.Number);
-      }
-    }
-  }
-
-  /** Reserve must have made room. */
-  void Insert(const Cell& cell, std::int32_t number)
-  {
-    this->Slots[this->Place(cell)] = { cell, number };
-  }
-
-  /** -1 if it has none. */
-  std::int32_t Find(const Cell& cell) const
-  {
-    return this->Slots.empty() ? -1 : this->Slots[this->Place(cell)].Number;
-  }
-
-private:
-  struct Slot
-  {
-    Cell Key{ 0, 0, 0 };
-    std::int32_t Number = -1;
-  };
-
-  std::size_t Place(const Cell& cell) const
-  {
-    std::uint64_t hash = static_cast<std::uint32_t>(cell.X) * 0x9E3779B97F4A7C15u;
-    hash = (hash ^ static_cast<std::uint32_t>(cell.Y)) * 0xC2B2AE3D27D4EB4Fu;
-    hash = (hash ^ static_cast<std::uint32_t>(cell.Z)) * 0x9E3779B97F4A7C15u;
-    const std::size_t mask = this->Slots.size() - 1;
-    std::size_t place = static_cast<std::size_t>(hash >> 20) & mask;
-    while (this->Slots[place].Number >= 0 && !(this->Slots[place].Key == cell))
-    {
-      place = (place + 1) & mask;
-    }
-    return place;
-  }
-
-  std::vector<Slot> Slots;
-};
-
-void SortUnique(std::vector<Cell>& cells, Executor& executor)
-{
-  ParallelSort(
-    cells, [](const Cell& a, const Cell& b) { return a < b; }, executor);
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-}
 
 /** The box around a piece of the mesh, and the largest width in it. */
 struct PieceBox
@@ -201,16 +120,67 @@ private:
     return this->Mesh.End == PointSurfaceMesh::Ending::Done;
   }
 
-  Real3 Place(const Cell& node) const
+  Real3 Place(std::size_t block, int node) const
   {
-    return { this->Origin[0] + this->Edge * node.X, this->Origin[1] + this->Edge * node.Y,
-      this->Origin[2] + this->Edge * node.Z };
+    const GridPlace& place = this->Numbers.Place(static_cast<std::int32_t>(block));
+    return { this->Origin[0] + this->Edge * (BlockSide * place.X + (node & 3)),
+      this->Origin[1] + this->Edge * (BlockSide * place.Y + (node >> 2 & 3)),
+      this->Origin[2] + this->Edge * (BlockSide * place.Z + (node >> 4)) };
   }
 
-  std::vector<Cell> CellsOfSamples() const
+  /** Look up what reaches the nodes of a block, and the edges above them. */
+  void Surround(std::size_t block, MovingLeastSquares::Neighbourhood& near) const
+  {
+    const double half = 0.5 * (BlockSide - 1) * this->Edge;
+    const Real3 lowest = this->Place(block, 0);
+    this->Surface.Surround(
+      { lowest[0] + half, lowest[1] + half, lowest[2] + half }, 3.3 * this->Edge, near);
+  }
+
+  std::int32_t NumberOfBlock(const GridPlace& place)
+  {
+    const std::int32_t number = this->Numbers.Of(place);
+    if (static_cast<std::size_t>(number) == this->Blocks.size())
+    {
+      this->Blocks.emplace_back();
+    }
+    return number;
+  }
+
+  /** The block above one on the axes whose bits are set. */
+  std::size_t BlockAbove(std::size_t block, std::size_t axes)
+  {
+    if (axes == 0)
+    {
+      return block;
+    }
+    std::int32_t above = this->Blocks[block].Above[axes];
+    if (above < 0)
+    {
+      const GridPlace& place = this->Numbers.Place(static_cast<std::int32_t>(block));
+      above = this->NumberOfBlock({ place.X + static_cast<std::int32_t>(axes & 1),
+        place.Y + static_cast<std::int32_t>(axes >> 1 & 1),
+        place.Z + static_cast<std::int32_t>(axes >> 2) });
+      this->Blocks[block].Above[axes] = above;
+    }
+    return static_cast<std::size_t>(above);
+  }
+
+  void AskNext(std::size_t block, BlockBits cells)
+  {
+    Block& asked = this->Blocks[block];
+    cells &= ~asked.Asked & ~asked.Next;
+    if (cells != 0 && asked.Next == 0)
+    {
+      this->NextWave.push_back(block);
+    }
+    asked.Next |= cells;
+  }
+
+  void AskForCellsOfSamples()
   {
     const PointTree& samples = this->Surface.Samples();
-    std::vector<Cell> cells(static_cast<std::size_t>(samples.Size()));
+    std::vector<GridPlace> cells(static_cast<std::size_t>(samples.Size()));
     this->Threads.For(samples.Size(), 1 << 14, [&](std::int64_t begin, std::int64_t end) {
       for (std::int64_t i = begin; i < end; ++i)
       {
@@ -220,234 +190,316 @@ private:
           static_cast<std::int32_t>(from[2] / this->Edge) };
       }
     });
-    // In the order of the tree many that follow each other are in the same one.
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-    SortUnique(cells, this->Threads);
-    return cells;
+    // In the order of the tree many that follow each other are in the same block.
+    GridPlace last{ -1, -1, -1 };
+    std::size_t block = 0;
+    for (const GridPlace& cell : cells)
+    {
+      const GridPlace place{ cell.X / BlockSide, cell.Y / BlockSide, cell.Z / BlockSide };
+      if (!(place == last))
+      {
+        block = static_cast<std::size_t>(this->NumberOfBlock(place));
+        last = place;
+      }
+      this->AskNext(block,
+        BlockBits(1) << (cell.X % BlockSide + BlockSide * (cell.Y % BlockSide) +
+          BlockSide * BlockSide * (cell.Z % BlockSide)));
+    }
   }
 
   /** Cells that the surface crosses, wave by wave. */
   void FollowSurface()
   {
-    std::vector<Cell> wave = this->CellsOfSamples();
-    CellNumbers visited;
-    std::int32_t numberOfVisited = 0;
-    for (int round = 0; !wave.empty() && this->Goes(); ++round)
+    this->AskForCellsOfSamples();
+    for (int round = 0; !this->NextWave.empty() && this->Goes(); ++round)
     {
       this->Watch.Progress(0.5 * round / (round + 2.0), "Follow the surface");
-      visited.Reserve(static_cast<std::size_t>(numberOfVisited) + wave.size());
-      for (const Cell& cell : wave)
+      const std::vector<std::size_t> wave = std::move(this->NextWave);
+      this->NextWave.clear();
+      for (const std::size_t block : wave)
       {
-        visited.Insert(cell, numberOfVisited++);
+        Block& own = this->Blocks[block];
+        own.Wave = std::exchange(own.Next, 0);
+        own.Asked |= own.Wave;
       }
       this->EvaluateNodes(wave);
-      std::vector<Cell> next;
-      for (const Cell& cell : wave)
+      for (const std::size_t block : wave)
       {
-        const int inside = this->Inside(cell);
-        if (inside > 0 && inside < 255)
+        this->FindCrossed(block);
+      }
+    }
+  }
+
+  /** Of a set in each block, the cells of one by which of their corners are in it. */
+  BitsAbove CellsOf(std::size_t block, BlockBits Block::*set) const
+  {
+    BitsAbove nodes{};
+    for (std::size_t above = 0; above < 8; ++above)
+    {
+      const std::int32_t number =
+        above == 0 ? static_cast<std::int32_t>(block) : this->Blocks[block].Above[above];
+      nodes[above] = number < 0 ? 0 : this->Blocks[static_cast<std::size_t>(number)].*set;
+    }
+    return CellsByCorner(nodes);
+  }
+
+  /** Of the cells in this wave, those that the surface crosses; their neighbours beyond faces that
+   * it crosses are next. */
+  void FindCrossed(std::size_t block)
+  {
+    const BitsAbove known = this->CellsOf(block, &Block::Known);
+    const BitsAbove inside = this->CellsOf(block, &Block::Inside);
+    BlockBits crossed = this->Blocks[block].Wave;
+    for (const BlockBits corner : known)
+    {
+      crossed &= corner;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const BlockBits below = crossed & MixedFace(inside, axis, 0);
+      const BlockBits above = crossed & MixedFace(inside, axis, 1);
+      this->AskNext(block, StepDown(below, axis) | StepUp(above, axis));
+      this->AskBeside(block, axis, -1, StepOutDown(below, axis));
+      this->AskBeside(block, axis, 1, StepOutUp(above, axis));
+    }
+    BlockBits all = ~BlockBits(0);
+    BlockBits any = 0;
+    for (const BlockBits corner : inside)
+    {
+      all &= corner;
+      any |= corner;
+    }
+    this->Blocks[block].Crossed |= crossed & any & ~all;
+  }
+
+  /** Cells with corners inside as well as outside on one of their faces. */
+  static BlockBits MixedFace(const BitsAbove& inside, std::size_t axis, std::size_t side)
+  {
+    BlockBits all = ~BlockBits(0);
+    BlockBits any = 0;
+    for (std::size_t corner = 0; corner < 8; ++corner)
+    {
+      if ((corner >> axis & 1) == side)
+      {
+        all &= inside[corner];
+        any |= inside[corner];
+      }
+    }
+    return any & ~all;
+  }
+
+  void AskBeside(std::size_t block, std::size_t axis, std::int32_t step, BlockBits cells)
+  {
+    if (cells != 0)
+    {
+      const GridPlace place =
+        this->Numbers.Place(static_cast<std::int32_t>(block)).Moved(axis, step);
+      this->AskNext(static_cast<std::size_t>(this->NumberOfBlock(place)), cells);
+    }
+  }
+
+  void EvaluateNodes(const std::vector<std::size_t>& wave)
+  {
+    std::vector<std::size_t> wanting;
+    for (const std::size_t block : wave)
+    {
+      const BitsAbove nodes = CornersOfCells(this->Blocks[block].Wave);
+      for (std::size_t axes = 0; axes < 8; ++axes)
+      {
+        if (nodes[axes] != 0)
         {
-          this->Crossed.push_back(cell);
-          this->AddNeighbours(cell, inside, visited, next);
+          const std::size_t above = this->BlockAbove(block, axes);
+          Block& owner = this->Blocks[above];
+          const BlockBits wanted = nodes[axes] & ~owner.Evaluated;
+          if (wanted != 0 && owner.Wanted == 0)
+          {
+            wanting.push_back(above);
+          }
+          owner.Wanted |= wanted;
         }
       }
-      SortUnique(next, this->Threads);
-      wave.swap(next);
     }
-    SortUnique(this->Crossed, this->Threads);
-  }
-
-  /** Bit c is set if corner c is inside; -1 if the function is not known at all corners. */
-  int Inside(const Cell& cell) const
-  {
-    int inside = 0;
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      const std::size_t node = static_cast<std::size_t>(this->Numbers.Find(cell.Corner(corner)));
-      if (!this->Known[node])
-      {
-        return -1;
-      }
-      inside |= this->Values[node] < 0.0 ? 1 << corner : 0;
-    }
-    return inside;
-  }
-
-  static void AddNeighbours(
-    const Cell& cell, int inside, const CellNumbers& visited, std::vector<Cell>& next)
-  {
-    for (int face = 0; face < 6; ++face)
-    {
-      int count = 0;
-      for (const int corner : CornersOfCubeFace(face))
-      {
-        count += inside >> corner & 1;
-      }
-      const int step = (face & 1) ? 1 : -1;
-      const int axis = face / 2;
-      const Cell neighbour{ cell.X + (axis == 0 ? step : 0), cell.Y + (axis == 1 ? step : 0),
-        cell.Z + (axis == 2 ? step : 0) };
-      if (count > 0 && count < 4 && visited.Find(neighbour) < 0)
-      {
-        next.push_back(neighbour);
-      }
-    }
-  }
-
-  void EvaluateNodes(const std::vector<Cell>& wave)
-  {
-    const std::size_t first = this->Nodes.size();
-    for (const Cell& cell : wave)
-    {
-      this->Numbers.Reserve(this->Nodes.size() + 8);
-      for (int corner = 0; corner < 8; ++corner)
-      {
-        const Cell node = cell.Corner(corner);
-        if (this->Numbers.Find(node) < 0)
-        {
-          this->Numbers.Insert(node, static_cast<std::int32_t>(this->Nodes.size()));
-          this->Nodes.push_back(node);
-        }
-      }
-    }
-    if (this->Nodes.size() > std::size_t(1) << 30)
+    if (this->Blocks.size() > MostBlocks)
     {
       this->Mesh.End = PointSurfaceMesh::Ending::TooFine;
     }
-    this->Values.resize(this->Nodes.size(), 0.0);
-    this->Known.resize(this->Nodes.size(), 0);
-    this->Threads.For(static_cast<std::int64_t>(this->Nodes.size() - first), Grain,
-      [&](std::int64_t begin, std::int64_t end) {
+    this->ForBlocks(wanting, [this](std::size_t block, auto& near) {
+      Block& own = this->Blocks[block];
+      this->Surround(block, near);
+      ForBits(own.Wanted, [&](int node) {
+        const SurfaceValue f = this->Surface.EvaluateAt(this->Place(block, node), 0, near);
+        own.Values[static_cast<std::size_t>(node)] = f.Value;
+        own.Known |= BlockBits(f.IsNear ? 1 : 0) << node;
+        own.Inside |= BlockBits(f.Value < 0.0 ? 1 : 0) << node;
+      });
+      own.Evaluated |= std::exchange(own.Wanted, 0);
+    });
+  }
+
+  template <class Body>
+  void ForBlocks(const std::vector<std::size_t>& blocks, const Body& body)
+  {
+    this->Threads.For(
+      static_cast<std::int64_t>(blocks.size()), Grain, [&](std::int64_t begin, std::int64_t end) {
         MovingLeastSquares::Neighbourhood near;
-        for (std::size_t i = first + static_cast<std::size_t>(begin);
-             i < first + static_cast<std::size_t>(end) && !this->Watch.Aborted(); ++i)
+        for (std::int64_t i = begin; i < end && !this->Watch.Aborted(); ++i)
         {
-          const SurfaceValue f = this->Surface.EvaluateAt(this->Place(this->Nodes[i]), 0, near);
-          this->Values[i] = f.Value;
-          this->Known[i] = f.IsNear ? 1 : 0;
+          body(blocks[static_cast<std::size_t>(i)], near);
         }
       });
   }
 
-  /** A vertex for each edge of the grid that the surface crosses: three places for each node. */
+  /** A vertex for each edge of a crossed cell that the surface crosses. */
   void NumberVertices()
   {
-    this->Vertices.assign(3 * this->Nodes.size(), -1);
-    std::int32_t count = 0;
-    for (const Cell& cell : this->Crossed)
+    for (std::size_t block = 0; block < this->Blocks.size(); ++block)
     {
-      std::int32_t nodes[8];
-      for (int corner = 0; corner < 8; ++corner)
+      for (std::size_t axis = 0; axis < 3 && this->Blocks[block].Crossed != 0; ++axis)
       {
-        nodes[corner] = this->Numbers.Find(cell.Corner(corner));
-      }
-      for (int edge = 0; edge < 12; ++edge)
-      {
-        const int lower = LowerCornerOfCubeEdge(edge);
-        const std::int32_t from = nodes[lower];
-        const std::int32_t to = nodes[lower | 1 << edge / 4];
-        const std::size_t place =
-          3 * static_cast<std::size_t>(from) + static_cast<std::size_t>(edge / 4);
-        if (this->Vertices[place] < 0 &&
-          (this->Values[static_cast<std::size_t>(from)] < 0.0) !=
-            (this->Values[static_cast<std::size_t>(to)] < 0.0))
+        const BitsAbove edges = EdgesOfCells(this->Blocks[block].Crossed, axis);
+        for (std::size_t axes = 0; axes < 8; ++axes)
         {
-          this->Vertices[place] = count++;
-          this->Ends.push_back(from);
-          this->Ends.push_back(to);
+          if (edges[axes] != 0)
+          {
+            this->Blocks[this->BlockAbove(block, axes)].Edges[axis] |= edges[axes];
+          }
         }
       }
+    }
+    std::int64_t count = 0;
+    for (std::size_t block = 0; block < this->Blocks.size(); ++block)
+    {
+      Block& own = this->Blocks[block];
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const std::int32_t above = own.Above[std::size_t(1) << axis];
+        const BlockBits beyond =
+          above < 0 ? 0 : this->Blocks[static_cast<std::size_t>(above)].Inside;
+        own.Edges[axis] &= own.Inside ^ (StepDown(own.Inside, axis) | StepOutDown(beyond, axis));
+        own.FirstVertex[axis] = static_cast<std::int32_t>(count);
+        count += NumberOfBits(own.Edges[axis]);
+      }
+    }
+    this->NumberOfVertices = static_cast<std::size_t>(count);
+    if (count > std::numeric_limits<std::int32_t>::max())
+    {
+      this->Mesh.End = PointSurfaceMesh::Ending::TooFine;
     }
   }
 
   void FindRoots()
   {
     this->Watch.Progress(0.5, "Points of the surface");
-    const std::int64_t count = static_cast<std::int64_t>(this->Ends.size() / 2);
-    this->Mesh.Points.resize(3 * static_cast<std::size_t>(count));
-    this->Mesh.Normals.resize(3 * static_cast<std::size_t>(count));
-    this->Supported.resize(static_cast<std::size_t>(count));
-    this->WidthOfVertex.resize(static_cast<std::size_t>(count));
-    this->Threads.For(count, Grain, [this](std::int64_t begin, std::int64_t end) {
-      MovingLeastSquares::Neighbourhood near;
-      for (std::int64_t i = begin; i < end && !this->Watch.Aborted(); ++i)
+    this->Mesh.Points.resize(3 * this->NumberOfVertices);
+    this->Mesh.Normals.resize(3 * this->NumberOfVertices);
+    this->Supported.resize(this->NumberOfVertices);
+    this->WidthOfVertex.resize(this->NumberOfVertices);
+    std::vector<std::size_t> crossed;
+    for (std::size_t block = 0; block < this->Blocks.size(); ++block)
+    {
+      const std::array<BlockBits, 3>& edges = this->Blocks[block].Edges;
+      if ((edges[0] | edges[1] | edges[2]) != 0)
       {
-        this->FindRoot(static_cast<std::size_t>(i), near);
+        crossed.push_back(block);
+      }
+    }
+    this->ForBlocks(crossed, [this](std::size_t block, auto& near) {
+      this->Surround(block, near);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        std::size_t vertex = static_cast<std::size_t>(this->Blocks[block].FirstVertex[axis]);
+        ForBits(this->Blocks[block].Edges[axis],
+          [&](int node) { this->FindRoot(block, node, axis, vertex++, near); });
       }
     });
   }
 
-  /** Newton's method on an edge, with the bracket halved where it would leave that. */
-  void FindRoot(std::size_t vertex, MovingLeastSquares::Neighbourhood& near)
+  void FindRoot(std::size_t block, int node, std::size_t axis, std::size_t vertex,
+    MovingLeastSquares::Neighbourhood& near)
   {
-    const std::size_t from = static_cast<std::size_t>(this->Ends[2 * vertex]);
-    const std::size_t to = static_cast<std::size_t>(this->Ends[2 * vertex + 1]);
-    const Real3 start = this->Place(this->Nodes[from]);
-    const Real3 along = Difference(this->Place(this->Nodes[to]), start);
-    const bool startsInside = this->Values[from] < 0.0;
-    double lower = 0.0;
-    double upper = 1.0;
-    double t = this->Values[from] / (this->Values[from] - this->Values[to]);
-    this->Surface.Gather(PlusScaled(start, 0.5, along), 0.5 * this->Edge, near);
-    SurfaceValue f;
-    Real3 x = start;
-    for (int iteration = 0; iteration < 60; ++iteration)
+    const Block& own = this->Blocks[block];
+    const BlockBits bit = BlockBits(1) << node;
+    const bool isLast = StepUp(bit, axis) == 0;
+    const std::size_t beyond =
+      isLast ? static_cast<std::size_t>(own.Above[std::size_t(1) << axis]) : block;
+    const int other = node + (isLast ? -3 : 1) * BlockStride[axis];
+    CrossedEdge edge;
+    edge.Start = this->Place(block, node);
+    edge.Along[axis] = this->Edge;
+    edge.ValueAtStart = own.Values[static_cast<std::size_t>(node)];
+    edge.ValueAtEnd = this->Blocks[beyond].Values[static_cast<std::size_t>(other)];
+    edge.StartsInside = (own.Inside & bit) != 0;
+    const EdgeRoot root = FindEdgeRoot(this->Surface, edge, CurvedStep, near);
+    const double steepness = Length(root.Surface.Gradient);
+    const Real3 normal = steepness > 0.0 ? Scaled(root.Surface.Gradient, 1.0 / steepness) : Real3{};
+    const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(3 * vertex);
+    std::copy_n(root.Point.begin(), 3, this->Mesh.Points.begin() + first);
+    std::copy_n(normal.begin(), 3, this->Mesh.Normals.begin() + first);
+    this->WidthOfVertex[vertex] = root.Surface.Width;
+    this->Supported[vertex] = root.IsSupported() ? 1 : 0;
+  }
+
+  std::int32_t VertexOn(std::size_t block, int cell, int edge) const
+  {
+    const std::size_t axis = static_cast<std::size_t>(edge / 4);
+    const int corner = LowerCornerOfCubeEdge(edge);
+    BlockBits bit = BlockBits(1) << cell;
+    std::size_t axes = 0;
+    for (std::size_t a = 0; a < 3; ++a)
     {
-      x = PlusScaled(start, t, along);
-      f = this->Surface.Evaluate(x, 1, near);
-      if (!f.IsNear)
+      if (corner >> a & 1)
       {
-        break;
-      }
-      ((f.Value < 0.0) == startsInside ? lower : upper) = t;
-      const double slope = Dot(f.Gradient, along);
-      const double newton = t - f.Value / slope;
-      const double next = newton >= lower && newton <= upper ? newton : 0.5 * (lower + upper);
-      const double step = std::abs(next - t);
-      t = next;
-      // Once steps are short the next one would be their square, unless the surface grazes the
-      // edge.
-      const bool grazes = std::abs(slope) < 0.2 * this->Edge;
-      if (step < (grazes ? 1e-13 : 1e-7) || f.Value == 0.0)
-      {
-        x = PlusScaled(start, t, along);
-        break;
+        const BlockBits up = StepUp(bit, a);
+        axes |= up == 0 ? std::size_t(1) << a : 0;
+        bit = up == 0 ? StepOutUp(bit, a) : up;
       }
     }
-    const double steepness = Length(f.Gradient);
-    const Real3 normal = steepness > 0.0 ? Scaled(f.Gradient, 1.0 / steepness) : Real3{};
-    std::copy_n(x.begin(), 3, this->Mesh.Points.begin() + static_cast<std::ptrdiff_t>(3 * vertex));
-    std::copy_n(
-      normal.begin(), 3, this->Mesh.Normals.begin() + static_cast<std::ptrdiff_t>(3 * vertex));
-    this->WidthOfVertex[vertex] = f.Width;
-    this->Supported[vertex] =
-      f.Where == Support::Defined || f.Where == Support::Contradicting ? 1 : 0;
+    const std::size_t owner =
+      axes == 0 ? block : static_cast<std::size_t>(this->Blocks[block].Above[axes]);
+    const Block& above = this->Blocks[owner];
+    return above.FirstVertex[axis] + NumberOfBits(above.Edges[axis] & (bit - 1));
   }
 
   void MakeTriangles()
   {
     this->Watch.Progress(0.9, "Triangles");
-    for (const Cell& cell : this->Crossed)
+    this->Mesh.Triangles.reserve(6 * this->NumberOfVertices + 3);
+    for (std::size_t block = 0; block < this->Blocks.size(); ++block)
     {
-      for (const CubeTriangle& triangle : TrianglesOfCube(this->Inside(cell)))
+      if (this->Blocks[block].Crossed == 0)
       {
-        std::int32_t corners[3];
-        bool supported = true;
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-          const std::size_t node = static_cast<std::size_t>(
-            this->Numbers.Find(cell.Corner(LowerCornerOfCubeEdge(triangle[k]))));
-          corners[k] = this->Vertices[3 * node + triangle[k] / 4];
-          supported = supported && this->Supported[static_cast<std::size_t>(corners[k])];
-        }
-        if (supported)
-        {
-          this->Mesh.Triangles.insert(this->Mesh.Triangles.end(), corners, corners + 3);
-        }
+        continue;
       }
+      const BitsAbove corners = this->CellsOf(block, &Block::Inside);
+      ForBits(this->Blocks[block].Crossed, [&](int cell) {
+        int inside = 0;
+        for (std::size_t corner = 0; corner < 8; ++corner)
+        {
+          inside |= static_cast<int>(corners[corner] >> cell & 1) << corner;
+        }
+        this->AddTriangles(block, cell, inside);
+      });
     }
     this->DropSpecks();
     this->DropUnusedVertices();
+  }
+
+  void AddTriangles(std::size_t block, int cell, int inside)
+  {
+    for (const CubeTriangle& triangle : TrianglesOfCube(inside))
+    {
+      std::int32_t corners[3];
+      bool supported = true;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        corners[k] = this->VertexOn(block, cell, triangle[k]);
+        supported = supported && this->Supported[static_cast<std::size_t>(corners[k])];
+      }
+      if (supported)
+      {
+        this->Mesh.Triangles.insert(this->Mesh.Triangles.end(), corners, corners + 3);
+      }
+    }
   }
 
   void DropSpecks()
@@ -557,13 +609,10 @@ private:
   Executor& Threads;
   Monitor& Watch;
   Real3 Origin{};
-  CellNumbers Numbers; ///< of nodes
-  std::vector<Cell> Nodes;
-  std::vector<double> Values;
-  std::vector<std::uint8_t> Known;
-  std::vector<Cell> Crossed;
-  std::vector<std::int32_t> Vertices;
-  std::vector<std::int32_t> Ends; ///< nodes of the edge of each vertex
+  BlockNumbers Numbers;
+  std::vector<Block> Blocks;
+  std::vector<std::size_t> NextWave; ///< blocks with cells to look at
+  std::size_t NumberOfVertices = 0;
   std::vector<std::uint8_t> Supported;
   std::vector<double> WidthOfVertex;
   PointSurfaceMesh Mesh;
