@@ -2,12 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Point Set Intersection with a mesh as its Tool: the filter, the proxy, real scans and real meshes."""
 
-from dataclasses import dataclass, field
-
 import numpy as np
 import pytest
 from paraview import simple, smstate
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
@@ -20,69 +17,11 @@ from vtkmodules.vtkCommonDataModel import (
 
 import clouds
 import meshes
-from booleans import arrays_of, cells_of, heard_from, points_of, polydata
+from booleans import polydata
+from sections import curves_of, plane_section, update, values_at
 
 OK, COINCIDENT_AREA, FACETS_ONLY, BAD_REQUEST, NOT_POINTS, NOT_A_SURFACE, TOO_FEW_POINTS = 0, 4, 5, 10, 20, 21, 30
 NO_END, TOOL_BORDER, SCAN_BORDER = 0, 1, 2
-
-
-@dataclass
-class Curves:
-    data: vtkPolyData
-    points: np.ndarray
-    lines: list  # of arrays of point ids
-    of_points: dict
-    of_curves: dict
-    fields: dict
-    errors: list = field(default_factory=list)
-    warnings: list = field(default_factory=list)
-
-    @property
-    def status(self):
-        return int(self.fields["Status"][0])
-
-    def bytes(self):
-        parts = [self.points.tobytes()] + [line.tobytes() for line in self.lines]
-        for arrays in (self.of_points, self.of_curves):
-            parts += [name.encode() + np.asarray(values).tobytes() for name, values in sorted(arrays.items())]
-        return b"|".join(parts)
-
-
-def curves_of(data, tool, **settings):
-    """The filter on any data objects; a meshes.Mesh is made a vtkPolyData, None is no connection."""
-    from surfacebooleans.vtk import vtkPointSetIntersectionFilter
-
-    tested = vtkPointSetIntersectionFilter()
-    for name, value in settings.items():
-        getattr(tested, "Set" + name)(value)
-    tested.SetInputDataObject(0, data)
-    tested.SetToolData(polydata(tool) if isinstance(tool, meshes.Mesh) else tool)
-    return update(tested)
-
-
-def update(tested):
-    errors, warnings = heard_from(tested)
-    data = tested.GetOutput()
-    starts, ids = cells_of(data.GetLines())
-    return Curves(
-        data,
-        points_of(data),
-        [ids[a:b] for a, b in zip(starts[:-1], starts[1:])],
-        arrays_of(data.GetPointData()),
-        arrays_of(data.GetCellData()),
-        arrays_of(data.GetFieldData()),
-        errors,
-        warnings,
-    )
-
-
-def values_at(data, points):
-    """The cloud's function, by the implicit function; NaN where the scan ends."""
-    from surfacebooleans.vtk import vtkMovingLeastSquaresSurface
-
-    surface = vtkMovingLeastSquaresSurface()
-    surface.SetInput(data)
-    return np.array([surface.EvaluateFunction(p) if surface.IsDefined(p) else np.nan for p in points])
 
 
 def check(result, tool, bound):
@@ -119,7 +58,7 @@ def test_a_box_cuts_arcs_out_of_a_sphere():
     assert np.abs(np.linalg.norm(result.points, axis=1) - 1).max() < 1e-5
     assert np.einsum("ij,ij->i", result.of_points["Normals"], result.points).min() > 0.999
     assert np.median(result.of_points["Curvature"]) == pytest.approx(-1 / radius, rel=0.01)
-    assert result.fields["CoincidentArea"][0] == 0
+    assert result.field_data["CoincidentArea"][0] == 0
     # A corner is a point of each curve that turns around it: the three arcs lie on three planes.
     assert all((np.abs(result.points[:, axis] - 0.3) < 1e-12).sum() > 5 for axis in range(3))
 
@@ -152,7 +91,7 @@ def test_a_torus_and_a_ball_around_its_hole():
     data = clouds.cloud(*clouds.torus(20000, rng))
     ball = meshes.icosphere(5)
     result = curves_of(data, ball)
-    check(result, ball, 0.1 * result.fields["Spacing"][0])
+    check(result, ball, 0.1 * result.field_data["Spacing"][0])
     # Both circles about the axis at a distance of (1 + 1 - 0.16) / 2 from it.
     assert result.of_curves["Closed"].tolist() == [1, 1]
     assert result.of_curves["Length"] == pytest.approx(2 * np.pi * 0.92, rel=2e-3)
@@ -167,11 +106,8 @@ def test_open_meshes_and_open_scans_end_as_told():
     line = result.points[result.lines[0]]
     assert line[:, 0].min() == pytest.approx(0.5, abs=1e-12) and line[:, 0].max() == pytest.approx(1, abs=0.05)
     # The plane's curves have both ends at the border of the scan.
-    rows = clouds.cloud(*clouds.plane(60))
-    from test_point_set_intersection import section
-
-    cut, _ = section(rows, (0.5, 0.4, 0), (0, 1, 0))
-    assert arrays_of(cut.GetCellData())["Ends"].tolist() == [[SCAN_BORDER, SCAN_BORDER]]
+    cut = plane_section(data, (0.5, 0.4, 0), (0, 1, 0))
+    assert cut.of_curves["Ends"].tolist() == [[SCAN_BORDER, SCAN_BORDER]]
 
 
 def test_a_loop_inside_of_one_triangle_and_a_touch():
@@ -202,7 +138,7 @@ def test_real_scans_and_real_meshes(cloud, mesh, share):
     factor = share * np.linalg.norm(upper - lower) / np.linalg.norm(high - low)
     body = meshes.mesh((body.points - (low + high) / 2) * factor + lower + 0.7 * (upper - lower), body.triangles)
     result = curves_of(data, body)
-    spacing = result.fields["Spacing"][0]
+    spacing = result.field_data["Spacing"][0]
     assert result.lines
     check(result, body, 0.1 * spacing)
     assert np.abs(values_at(data, result.points)).max() < 1e-9 * spacing
@@ -248,9 +184,9 @@ def test_a_scan_of_the_tool_itself_is_reported_and_not_marched():
     result = curves_of(data, box)
     assert result.status == COINCIDENT_AREA and not result.errors
     assert len(result.warnings) == 1 and "area" in result.warnings[0]
-    assert 12 < result.fields["CoincidentArea"][0] < 24
+    assert 12 < result.field_data["CoincidentArea"][0] < 24
     moved = curves_of(data, meshes.moved(box, (0.2, 0.1, 0.05)))
-    assert moved.status == OK and moved.fields["CoincidentArea"][0] == 0 and len(moved.lines) == 1
+    assert moved.status == OK and moved.field_data["CoincidentArea"][0] == 0 and len(moved.lines) == 1
 
 
 def test_composite_inputs_count_as_one():

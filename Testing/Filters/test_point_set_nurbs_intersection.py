@@ -11,7 +11,9 @@ import cad
 import clouds
 import patches
 from booleans import arrays_of, points_of
-from test_point_set_mesh_intersection import FACETS_ONLY, OK, TOOL_BORDER, curves_of, values_at
+from sections import curves_of, values_at
+
+OK, FACETS_ONLY, TOOL_BORDER = 0, 5, 1
 
 
 def check_on_both(result, data, faces, size=2.0):
@@ -159,7 +161,7 @@ def test_a_real_scan_and_a_real_cad_file(name, share):
     result = curves_of(data, body.data)
     assert result.status == OK and not result.errors and not result.warnings
     assert len(result.lines) > 0 and result.of_curves["Closed"].all()
-    assert result.of_curves["ChordError"].max() <= 0.1 * result.fields["Spacing"][0]
+    assert result.of_curves["ChordError"].max() <= 0.1 * result.field_data["Spacing"][0]
     exact = cad.Patches(body.field_data)
     for face in np.unique(result.of_points["FaceId"]):
         mine = result.of_points["FaceId"] == face
