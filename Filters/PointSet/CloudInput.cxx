@@ -36,6 +36,12 @@ vtkSmartPointer<vtkDoubleArray> AsDoubles(vtkDataArray* array)
   return doubles;
 }
 
+vtkDataArray* NormalsOf(vtkPointSet* cloud)
+{
+  vtkPointData* const attributes = cloud->GetPointData();
+  return attributes->GetNormals() ? attributes->GetNormals() : attributes->GetArray("Normals");
+}
+
 /** The points of several sets in one, with the point arrays that all of them have. */
 vtkSmartPointer<vtkPointSet> Joined(const std::vector<vtkPointSet*>& blocks)
 {
@@ -80,6 +86,7 @@ std::string CloudInput::Read(vtkDataObject* data)
   if (vtkPointSet* cloud = vtkPointSet::SafeDownCast(data))
   {
     this->Cloud = cloud;
+    this->AddToStamp(cloud);
   }
   else if (vtkCompositeDataSet* composite = vtkCompositeDataSet::SafeDownCast(data))
   {
@@ -95,6 +102,7 @@ std::string CloudInput::Read(vtkDataObject* data)
       if (block->GetNumberOfPoints() > 0) // an empty one need not have the arrays of the others
       {
         blocks.push_back(block);
+        this->AddToStamp(block);
       }
     }
     this->Cloud = Joined(blocks);
@@ -111,11 +119,19 @@ std::string CloudInput::Read(vtkDataObject* data)
   return "";
 }
 
+void CloudInput::AddToStamp(vtkPointSet* block)
+{
+  // Modification times are given out once in a process, so they tell arrays apart as well as their
+  // states.
+  vtkDataArray* const normals = NormalsOf(block);
+  this->Stamp.push_back(block->GetPoints() ? block->GetPoints()->GetMTime() : 0);
+  this->Stamp.push_back(block->GetPoints() ? block->GetPoints()->GetData()->GetMTime() : 0);
+  this->Stamp.push_back(normals ? normals->GetMTime() : 0);
+}
+
 void CloudInput::ReadNormals()
 {
-  vtkPointData* attributes = this->Cloud->GetPointData();
-  vtkDataArray* normals =
-    attributes->GetNormals() ? attributes->GetNormals() : attributes->GetArray("Normals");
+  vtkDataArray* const normals = NormalsOf(this->Cloud);
   if (!normals)
   {
     return;
