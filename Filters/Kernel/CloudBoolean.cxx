@@ -7,7 +7,6 @@
 #include "MeshParts.h"
 #include "OpenScanBoolean.h"
 #include "ParallelSort.h"
-#include "PointSurfaceMesh.h"
 #include "SampleSides.h"
 #include "Stages.h"
 #include "SurfaceRefinement.h"
@@ -112,7 +111,11 @@ private:
 
   void MeshCloud()
   {
-    this->Scan = MeshPointSurface(this->Surface, this->Cell, this->Threads, this->Watch);
+    this->Result.CloudMesh = this->Request.CloudMesh
+      ? this->Request.CloudMesh
+      : std::make_shared<const PointSurfaceMesh>(
+          MeshPointSurface(this->Surface, this->Cell, this->Threads, this->Watch));
+    this->Scan = *this->Result.CloudMesh;
     switch (this->Scan.End)
     {
       case PointSurfaceMesh::Ending::TooFine:

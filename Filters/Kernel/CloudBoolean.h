@@ -16,10 +16,12 @@
 #include "CloudSurface.h"
 #include "CombinedMesh.h"
 #include "DesignedSurface.h"
+#include "PointSurfaceMesh.h"
 #include "SeamCurves.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace sb
@@ -39,6 +41,8 @@ struct CloudBooleanRequest
   const DesignedSurface* Tool = nullptr; ///< its ids and coordinates have to be valid
   CloudOperation Op = CloudOperation::Union;
   double Cell = 0.0; ///< edge of the cloud's mesh; 0: two spacings
+  /** The cloud's mesh with such cells, as an earlier call gave it; null to make it. */
+  std::shared_ptr<const PointSurfaceMesh> CloudMesh;
   bool WithNearestSamples = false; ///< fill in NearestSample
 };
 
@@ -83,6 +87,7 @@ struct CloudBooleanResult
   std::vector<std::int32_t> NearestSample;
   std::vector<std::int32_t> ToolTriangle; ///< of each triangle: the tool's as it was given, or -1
   std::vector<std::int32_t> FaceId; ///< of each triangle, or -1. Empty without patches
+  std::shared_ptr<const PointSurfaceMesh> CloudMesh; ///< for the next call
   SeamCurves Seam;
   std::vector<std::array<double, 2>> SeamUV; ///< of its points; empty without patches
   std::vector<std::int32_t> SeamSample; ///< of its points, the nearest sample; as NearestSample

@@ -19,6 +19,7 @@ namespace
 constexpr std::int64_t Grain = 128;
 constexpr double SquareInWidths = 1.0 / 3.0;
 constexpr double Rounding = 1e-12; ///< in widths: values below it have no sign
+constexpr int MostHalvings = 5; ///< of the squares, where two branches are in one of them
 
 /** A square of the plane's grid, or the node at its lower corner. */
 struct Square
@@ -87,18 +88,12 @@ public:
   {
     PlaneSection section;
     this->ListSquares();
-    if (!this->Squares.empty() && !this->Watch.Aborted())
+    section.Curves = this->FindCurves();
+    for (int halving = 0; halving < MostHalvings && !this->AreWithinBound(section.Curves);
+         ++halving)
     {
-      this->EvaluateNodes();
-      this->FindSegments();
-      for (const std::vector<std::int32_t>& branch : this->Branches())
-      {
-        if (this->Watch.Aborted())
-        {
-          break;
-        }
-        this->AddCurve(branch, section.Curves);
-      }
+      this->HalveSquares();
+      section.Curves = this->FindCurves();
     }
     section.Aborted = this->Watch.Aborted();
     if (section.Aborted)
@@ -109,6 +104,65 @@ public:
   }
 
 private:
+  std::vector<SectionCurve> FindCurves()
+  {
+    std::vector<SectionCurve> curves;
+    this->EvaluateNodes();
+    this->FindSegments();
+    for (const std::vector<std::int32_t>& branch : this->Branches())
+    {
+      if (this->Watch.Aborted())
+      {
+        break;
+      }
+      this->AddCurve(branch, curves);
+    }
+    return curves;
+  }
+
+  bool AreWithinBound(const std::vector<SectionCurve>& curves) const
+  {
+    return std::all_of(curves.begin(), curves.end(),
+      [this](const SectionCurve& curve) { return curve.LargestChordError <= this->ChordError; });
+  }
+
+  /**
+   * Where two branches run through one square (the plane is nearly tangential at a saddle), its
+   * corners do not tell which ends belong together, and a wrong chord would be off by up to the
+   * size of the square. So the squares at curves, and those beside them, are cut into four.
+   */
+  void HalveSquares()
+  {
+    std::vector<Square> halves;
+    for (const Square& square : this->Squares)
+    {
+      if (this->IsCrossed(square))
+      {
+        for (std::int32_t v = -2; v < 4; ++v)
+        {
+          for (std::int32_t u = -2; u < 4; ++u)
+          {
+            halves.push_back({ 2 * square.U + u, 2 * square.V + v });
+          }
+        }
+      }
+    }
+    SortUnique(halves, this->Threads);
+    this->Squares.swap(halves);
+    this->Nodes.clear();
+    this->Edge *= 0.5;
+  }
+
+  bool IsCrossed(const Square& square) const
+  {
+    int inside = 0;
+    for (int k = 0; k < 4; ++k)
+    {
+      inside += this->IsInside(this->NumberOf({ square.U + CornerU[k], square.V + CornerV[k] }));
+    }
+    return inside > 0 && inside < 4;
+  }
+
   Real3 Place(const Square& node) const
   {
     return PlusScaled(
@@ -341,7 +395,7 @@ private:
   const MovingLeastSquares& Surface;
   const Real3 Normal;
   const double ChordError;
-  const double Edge;
+  double Edge; ///< of the squares
   Executor& Threads;
   Monitor& Watch;
   Real3 Origin{};

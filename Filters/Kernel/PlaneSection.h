@@ -9,7 +9,8 @@
  * third of the width are laid over the plane where samples are near, and the signs at their corners
  * give all branches at once (Lorensen and Cline 1987, in two dimensions): a loop that is wider than
  * such a square's diagonal contains a corner and cannot be missed, and closed and open branches
- * come out as such. Along each of them steps are as long as the curvature (Eq. 8) allows for the
+ * come out as such. Where branches are closer to each other than that, smaller squares tell which
+ * ends belong together. Along each of them steps are as long as the curvature (Eq. 8) allows for the
  * bound; the chord error is then measured, not only predicted, and a step that keeps it not is
  * shortened.
  */

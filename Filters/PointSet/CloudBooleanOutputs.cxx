@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CloudBooleanOutputs.h"
 
-#include "AttributeUnion.h"
 #include "BlockNames.h"
 #include "FieldArrays.h"
 #include "NURBSArrays.h"
@@ -52,45 +51,22 @@ vtkSmartPointer<vtkCellArray> MakeCells(const Ids& corners, std::int64_t perCell
   return cells;
 }
 
-/** Give tuples the cloud's arrays: of each the point of the input to copy, or -1 for none. */
-void CarryCloudArrays(const CloudInput& input, const std::vector<std::int32_t>& ids,
-  vtkDataSetAttributes* target, sb::Executor& executor)
-{
-  vtkNew<vtkPointData> nothing;
-  const AttributeUnion arrays(
-    { { input.Data()->GetPointData(), input.NumberOfPoints(), "Input" }, { nothing, 0, "Tool" } },
-    "point");
-  TupleSources from;
-  from.NumberOfTuples = static_cast<std::int64_t>(ids.size());
-  for (std::size_t first = 0; first < ids.size();)
-  {
-    std::size_t end = first + 1;
-    while (end < ids.size() && (ids[end] < 0) == (ids[first] < 0))
-    {
-      ++end;
-    }
-    from.Runs.push_back({ ids[first] < 0 ? 1 : 0, static_cast<std::int64_t>(first),
-      static_cast<std::int64_t>(end - first), ids.data() + first, nullptr });
-    first = end;
-  }
-  arrays.CopyTo(target, from, executor);
-}
-
 /** The seam's points are marked in all outputs by the same name. */
 void MarkSeam(vtkPolyData* output, const std::vector<std::uint8_t>& onSeam)
 {
   output->GetPointData()->AddArray(ArrayOf<vtkUnsignedCharArray>("SeamPoint", 1, onSeam));
 }
 
-void BuildSurface(const CloudBooleanParts& parts, vtkPolyData* surface, sb::Executor& executor)
+std::vector<std::string> BuildSurface(
+  const CloudBooleanParts& parts, vtkPolyData* surface, sb::Executor& executor)
 {
   const sb::CloudBooleanResult& result = parts.Result;
   surface->SetPoints(MakePoints(result.Mesh.Points));
   surface->SetPolys(MakeCells(result.Mesh.Triangles, 3));
-  if (!result.NearestSample.empty())
-  {
-    CarryCloudArrays(parts.Input, result.NearestSample, surface->GetPointData(), executor);
-  }
+  std::vector<vtkIdType> original(result.ToolTriangle.size());
+  std::transform(result.ToolTriangle.begin(), result.ToolTriangle.end(), original.begin(),
+    [&](std::int32_t t) { return t < 0 ? -1 : vtkIdType(parts.Tool.CellOfTriangle(t)); });
+  std::vector<std::string> sentences = CarrySurfaceArrays(parts, original, surface, executor);
   std::vector<std::uint8_t> onSeam(result.Sides.size());
   std::transform(result.Sides.begin(), result.Sides.end(), onSeam.begin(),
     [](std::uint8_t sides) { return static_cast<std::uint8_t>(sides == 3 ? 1 : 0); });
@@ -101,9 +77,6 @@ void BuildSurface(const CloudBooleanParts& parts, vtkPolyData* surface, sb::Exec
   MarkSeam(surface, onSeam);
   vtkCellData* const cells = surface->GetCellData();
   cells->AddArray(ArrayOf<vtkIntArray>("SourceId", 1, result.Mesh.Source));
-  std::vector<vtkIdType> original(result.ToolTriangle.size());
-  std::transform(result.ToolTriangle.begin(), result.ToolTriangle.end(), original.begin(),
-    [&](std::int32_t t) { return t < 0 ? -1 : vtkIdType(parts.Tool.CellOfTriangle(t)); });
   cells->AddArray(ArrayOf<vtkIdTypeArray>("OriginalCellId", 1, original));
   cells->AddArray(ArrayOf<vtkDoubleArray>("Confidence", 1, result.Mesh.Confidence));
   if (!result.FaceId.empty())
@@ -111,6 +84,7 @@ void BuildSurface(const CloudBooleanParts& parts, vtkPolyData* surface, sb::Exec
     cells->AddArray(ArrayOf<vtkIntArray>(FaceArray, 1, result.FaceId));
     points->AddArray(ArrayOf<vtkDoubleArray>(ParametersArray, 2, result.UV));
   }
+  return sentences;
 }
 
 std::vector<double> Flat(const std::vector<sb::Real3>& places)
@@ -236,13 +210,14 @@ void MarkBlocks(const CloudBooleanParts& parts, const CloudBooleanOutputs& outpu
 
 } // namespace
 
-void BuildCloudBoolean(
+std::vector<std::string> BuildCloudBoolean(
   const CloudBooleanParts& parts, const CloudBooleanOutputs& outputs, sb::Executor& executor)
 {
-  BuildSurface(parts, outputs.Surface, executor);
+  std::vector<std::string> sentences = BuildSurface(parts, outputs.Surface, executor);
   BuildPoints(parts, outputs.Points, executor);
   MarkBlocks(parts, outputs);
   BuildCurves(parts.Result, outputs.Curves);
+  return sentences;
 }
 
 } // namespace sbvtk

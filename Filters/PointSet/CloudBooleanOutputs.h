@@ -7,22 +7,15 @@
 #ifndef CloudBooleanOutputs_h
 #define CloudBooleanOutputs_h
 
-#include "CloudBoolean.h"
-#include "CloudInput.h"
-#include "DesignedInput.h"
+#include "CloudBooleanAttributes.h"
+
+#include <string>
+#include <vector>
 
 class vtkPolyData;
 
 namespace sbvtk
 {
-
-struct CloudBooleanParts
-{
-  const sb::CloudSurface& Cloud;
-  const CloudInput& Input;
-  const DesignedInput& Tool;
-  const sb::CloudBooleanResult& Result;
-};
 
 struct CloudBooleanOutputs
 {
@@ -31,7 +24,8 @@ struct CloudBooleanOutputs
   vtkPolyData* Curves;
 };
 
-void BuildCloudBoolean(
+/** @return one sentence for each array of the inputs that could not be carried. */
+std::vector<std::string> BuildCloudBoolean(
   const CloudBooleanParts& parts, const CloudBooleanOutputs& outputs, sb::Executor& executor);
 
 } // namespace sbvtk

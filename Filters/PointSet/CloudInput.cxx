@@ -39,6 +39,12 @@ vtkSmartPointer<vtkDoubleArray> AsDoubles(vtkDataArray* array)
   return doubles;
 }
 
+vtkDataArray* NormalsOf(vtkPointSet* cloud)
+{
+  vtkPointData* const attributes = cloud->GetPointData();
+  return attributes->GetNormals() ? attributes->GetNormals() : attributes->GetArray("Normals");
+}
+
 /** The points of several sets in one, with the point arrays that all of them have. */
 vtkSmartPointer<vtkPolyData> Joined(const std::vector<vtkPointSet*>& blocks)
 {
@@ -98,6 +104,7 @@ std::string CloudInput::Read(vtkDataObject* data)
   {
     this->Cloud = cloud;
     this->NamesOfBlocks = CarriedBlockNames(cloud, cloud->GetPointData());
+    this->AddToStamp(cloud);
   }
   else
   {
@@ -132,6 +139,7 @@ std::string CloudInput::ReadBlocks(vtkDataObject* data)
     {
       parts.push_back(part);
       blockOfPart.push_back(blocks.BlockOfLeaf[leaf]);
+      this->AddToStamp(part);
     }
   }
   const vtkSmartPointer<vtkPolyData> joined = Joined(parts);
@@ -144,11 +152,19 @@ std::string CloudInput::ReadBlocks(vtkDataObject* data)
   return "";
 }
 
+void CloudInput::AddToStamp(vtkPointSet* block)
+{
+  // Modification times are given out once in a process, so they tell arrays apart as well as their
+  // states.
+  vtkDataArray* const normals = NormalsOf(block);
+  this->Stamp.push_back(block->GetPoints() ? block->GetPoints()->GetMTime() : 0);
+  this->Stamp.push_back(block->GetPoints() ? block->GetPoints()->GetData()->GetMTime() : 0);
+  this->Stamp.push_back(normals ? normals->GetMTime() : 0);
+}
+
 void CloudInput::ReadNormals()
 {
-  vtkPointData* attributes = this->Cloud->GetPointData();
-  vtkDataArray* normals =
-    attributes->GetNormals() ? attributes->GetNormals() : attributes->GetArray("Normals");
+  vtkDataArray* const normals = NormalsOf(this->Cloud);
   if (!normals)
   {
     return;

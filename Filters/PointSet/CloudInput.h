@@ -45,17 +45,22 @@ public:
   /** Three doubles a point, or null if the cloud has none. */
   const double* Normals() const;
 
+  /** Changes with the points and the normals, and with nothing else. */
+  const std::vector<vtkMTimeType>& GeometryStamp() const { return this->Stamp; }
+
   /** A sentence on an array of normals that could not be used, or empty. */
   const std::string& Warning() const { return this->Remark; }
 
 private:
   std::string ReadBlocks(vtkDataObject* data);
   void ReadNormals();
+  void AddToStamp(vtkPointSet* block);
 
   vtkSmartPointer<vtkPointSet> Cloud;
   vtkSmartPointer<vtkDoubleArray> PointArray;
   vtkSmartPointer<vtkDoubleArray> NormalArray;
   BlockNames NamesOfBlocks;
+  std::vector<vtkMTimeType> Stamp;
   std::string Remark;
 };
 

@@ -13,10 +13,13 @@ namespace sbvtk
 
 using CloudFilter = vtkPointSetSurfaceFilter;
 
-CloudRun::CloudRun(
-  vtkAlgorithm* filter, vtkDataObject* cloud, const std::vector<vtkDataObject*>& outputs)
+CloudRun::CloudRun(vtkAlgorithm* filter, vtkDataObject* cloud, PreparedCloud& kept,
+  const std::vector<vtkDataObject*>& outputs)
   : FilterRun(filter, outputs)
   , CloudData(cloud)
+  , Kept(kept)
+  , Input(kept.Input())
+  , Cloud(kept.Surface())
 {
 }
 
@@ -41,7 +44,7 @@ void CloudRun::CheckLength(const char* name, double length)
 
 void CloudRun::ReadCloud()
 {
-  const std::string refusal = this->Input.Read(this->CloudData);
+  const std::string refusal = this->Kept.Read(this->CloudData);
   if (!refusal.empty())
   {
     throw Failure{ CloudFilter::NOT_POINTS, "Input " + refusal };
@@ -52,21 +55,14 @@ void CloudRun::ReadCloud()
   }
 }
 
-void CloudRun::PrepareCloud(const Settings& settings, double first, double last)
+void CloudRun::PrepareCloud(const PreparedCloud::Settings& settings, double first, double last)
 {
-  sb::CloudRequest request;
-  request.Points = this->Input.Points();
-  request.Normals = this->Input.Normals();
-  request.Count = this->Input.NumberOfPoints();
-  request.Definition = static_cast<sb::SurfaceDefinition>(settings.Definition);
-  request.Width = settings.Width;
-  request.Flip = settings.FlipNormals;
   KernelMonitor monitor(this->Owner, first, last);
-  this->Cloud = sb::MakeCloudSurface(request, this->Executor, monitor);
+  this->Kept.Prepare(settings, this->Executor, monitor);
   const int status = StatusOf(this->Cloud.Status);
   if (status != CloudFilter::OK)
   {
-    throw Failure{ status, RefusalOf(this->Cloud, request.Count) };
+    throw Failure{ status, RefusalOf(this->Cloud, this->Input.NumberOfPoints()) };
   }
 }
 

@@ -7,9 +7,8 @@
 #ifndef CloudRun_h
 #define CloudRun_h
 
-#include "CloudInput.h"
-#include "CloudSurface.h"
 #include "FilterRun.h"
+#include "PreparedCloud.h"
 
 #include <string>
 #include <vector>
@@ -22,14 +21,9 @@ namespace sbvtk
 class CloudRun : public FilterRun
 {
 protected:
-  struct Settings
-  {
-    int Definition = 0;
-    double Width = 0.0;
-    bool FlipNormals = false;
-  };
-
-  CloudRun(vtkAlgorithm* filter, vtkDataObject* cloud, const std::vector<vtkDataObject*>& outputs);
+  /** @param kept from the last update, and for the next */
+  CloudRun(vtkAlgorithm* filter, vtkDataObject* cloud, PreparedCloud& kept,
+    const std::vector<vtkDataObject*>& outputs);
 
   static void CheckDefinition(int definition);
 
@@ -39,14 +33,15 @@ protected:
   void ReadCloud();
 
   /** Make its surface, which takes that part of the filter's progress. */
-  void PrepareCloud(const Settings& settings, double first, double last);
+  void PrepareCloud(const PreparedCloud::Settings& settings, double first, double last);
 
   /** The field data that all these filters have. */
   void AddCloudFields(vtkDataObject* output, int status, const std::string& message) const;
 
   vtkDataObject* CloudData;
-  CloudInput Input;
-  sb::CloudSurface Cloud;
+  PreparedCloud& Kept;
+  const CloudInput& Input;
+  const sb::CloudSurface& Cloud;
 };
 
 } // namespace sbvtk

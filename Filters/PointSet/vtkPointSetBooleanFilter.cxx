@@ -45,6 +45,7 @@ std::string Text(double value)
 
 struct vtkPointSetBooleanFilter::Cache
 {
+  sbvtk::PreparedCloud Cloud;
   sbvtk::DesignedInput Tool;
 };
 
@@ -54,7 +55,7 @@ class vtkPointSetBooleanFilter::Run : public sbvtk::CloudRun
 public:
   Run(vtkPointSetBooleanFilter* filter, vtkInformationVector** inputs,
     const sbvtk::CloudBooleanOutputs& outputs)
-    : CloudRun(filter, vtkDataObject::GetData(inputs[0], 0),
+    : CloudRun(filter, vtkDataObject::GetData(inputs[0], 0), filter->Kept->Cloud,
         { outputs.Surface, outputs.Points, outputs.Curves })
     , Filter(filter)
     , ToolData(vtkDataObject::GetData(inputs[1], 0))
@@ -99,8 +100,11 @@ void vtkPointSetBooleanFilter::Run::TakeSteps()
   this->Times.push_back({ "Prepare cloud", this->Watch.Lap() });
   this->Compute();
   this->Judge();
-  sbvtk::BuildCloudBoolean(
-    { this->Cloud, this->Input, this->Tool, this->Result }, this->Outputs, this->Executor);
+  const sbvtk::CloudBooleanParts parts{ this->Cloud, this->Input, this->Tool, this->Result };
+  for (const std::string& sentence : sbvtk::BuildCloudBoolean(parts, this->Outputs, this->Executor))
+  {
+    vtkWarningWithObjectMacro(this->Filter, << sentence);
+  }
   this->Times.push_back({ "Build outputs", this->Watch.Lap() });
 }
 
@@ -188,11 +192,13 @@ void vtkPointSetBooleanFilter::Run::Compute()
   request.Cell = this->CellSize = this->Filter->CellSize > 0.0
     ? this->Filter->CellSize
     : sb::CellSizeFor(*this->Cloud.Surface, this->Cloud.Spacing);
+  request.CloudMesh = this->Kept.Mesh(this->CellSize);
   request.WithNearestSamples = this->Input.Data()->GetPointData()->GetNumberOfArrays() > 0;
   sbvtk::KernelMonitor monitor(this->Filter, 0.3, 0.95);
   this->Result = sb::ComputeCloudBoolean(request, this->Executor, monitor);
   this->Times.insert(this->Times.end(), this->Result.Times.begin(), this->Result.Times.end());
   this->RefuseResult();
+  this->Kept.KeepMesh(this->CellSize, this->Result.CloudMesh);
   this->Watch.Lap();
 }
 

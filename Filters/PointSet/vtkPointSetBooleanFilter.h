@@ -22,7 +22,9 @@
  * (of the tool, -1 elsewhere; if the tool has it), `Confidence` (0 to 1: how sure it is that the
  * cell belongs to the result; 1 if the scan is closed). Point arrays: `Normals`; `Residual`, the
  * distance from the cloud's surface (NaN where the point is not on it); `SeamPoint`, 1 on the seam;
- * `UV` (if the tool has it; NaN on the cloud); and those of the cloud, from the nearest sample.
+ * `UV` (if the tool has it; NaN on the cloud); and those of the cloud, from the nearest sample, and
+ * of the tool, interpolated. Cells have the tool's cell arrays, too. Where there is no value for an
+ * array, it is NaN, or 0 in arrays of integers.
  *
  * Output 1 are the points that are left of the cloud, with their arrays, and those of the seam, one
  * vertex each. `SeamPoint` tells them apart; `OriginalPointId` is -1 on the seam, where the cloud's
@@ -43,6 +45,9 @@
  * `NumberOfSpecks`, parts of the cloud too small to be more than noise, which are left out;
  * `Confidence`, the smallest; `CloudVolume`, `ToolVolume`, `ResultVolume`, `ResultArea`;
  * `StageNames` and `StageSeconds`.
+ *
+ * The cloud's surface and its mesh are kept: they are made again only when the points, their normals
+ * or the settings change, so moving the tool takes much less time than the first update.
  *
  * An input that cannot be used gives one error message and empty outputs. The same points in any
  * order give the same surface whatever NumberOfThreads is.

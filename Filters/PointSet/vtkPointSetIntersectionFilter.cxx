@@ -52,7 +52,7 @@ class vtkPointSetIntersectionFilter::Run : public sbvtk::CloudRun
 public:
   Run(vtkPointSetIntersectionFilter* filter, vtkDataObject* input, vtkInformationVector* tool,
     vtkPolyData* output)
-    : CloudRun(filter, input, { output })
+    : CloudRun(filter, input, *filter->Cloud, { output })
     , Filter(filter)
     , HasTool(tool && tool->GetNumberOfInformationObjects() > 0)
     , ToolData(this->HasTool ? vtkDataObject::GetData(tool, 0) : nullptr)
@@ -297,7 +297,8 @@ void vtkPointSetIntersectionFilter::Run::AddFields(int status, const std::string
 
 //------------------------------------------------------------------------------
 vtkPointSetIntersectionFilter::vtkPointSetIntersectionFilter()
-  : Tool(std::make_unique<sbvtk::DesignedInput>())
+  : Cloud(std::make_unique<sbvtk::PreparedCloud>())
+  , Tool(std::make_unique<sbvtk::DesignedInput>())
 {
   this->SetNumberOfInputPorts(2);
 }

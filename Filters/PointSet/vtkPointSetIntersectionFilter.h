@@ -46,6 +46,7 @@ class vtkPlane;
 namespace sbvtk
 {
 class DesignedInput;
+class PreparedCloud;
 }
 
 class SBPOINTSET_EXPORT vtkPointSetIntersectionFilter : public vtkPolyDataAlgorithm
@@ -143,6 +144,7 @@ private:
   class Run;
 
   vtkSmartPointer<vtkPlane> Plane;
+  std::unique_ptr<sbvtk::PreparedCloud> Cloud; ///< kept while the points do not change
   std::unique_ptr<sbvtk::DesignedInput> Tool; ///< kept while its input does not change
   double ChordError = 0.0;
   int Definition = 0;

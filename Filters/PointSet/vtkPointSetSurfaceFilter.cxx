@@ -78,7 +78,7 @@ class vtkPointSetSurfaceFilter::Run : public sbvtk::CloudRun
 public:
   Run(
     vtkPointSetSurfaceFilter* filter, vtkDataObject* input, vtkPolyData* points, vtkPolyData* mesh)
-    : CloudRun(filter, input, { points, mesh })
+    : CloudRun(filter, input, *filter->Cloud, { points, mesh })
     , Filter(filter)
     , Points(points)
     , Mesh(mesh)
@@ -243,8 +243,13 @@ void vtkPointSetSurfaceFilter::Run::BuildMesh()
     ? this->Filter->CellSize
     : sb::CellSizeFor(*this->Cloud.Surface, this->Cloud.Spacing);
   sbvtk::KernelMonitor monitor(this->Filter, 0.7, 0.95);
-  const sb::PointSurfaceMesh mesh =
-    sb::MeshPointSurface(*this->Cloud.Surface, cell, this->Executor, monitor);
+  std::shared_ptr<const sb::PointSurfaceMesh> kept = this->Kept.Mesh(cell);
+  if (!kept)
+  {
+    kept = std::make_shared<sb::PointSurfaceMesh>(
+      sb::MeshPointSurface(*this->Cloud.Surface, cell, this->Executor, monitor));
+  }
+  const sb::PointSurfaceMesh& mesh = *kept;
   if (mesh.End == sb::PointSurfaceMesh::Ending::Aborted)
   {
     Stop();
@@ -255,6 +260,7 @@ void vtkPointSetSurfaceFilter::Run::BuildMesh()
       "Cells of " + std::to_string(cell) +
         " are too small for the extent of Input; choose a larger CellSize, or remove outliers." };
   }
+  this->Kept.KeepMesh(cell, kept);
   this->NumberOfBorderEdges = static_cast<vtkIdType>(mesh.NumberOfBorderEdges);
   this->NumberOfSpecks = static_cast<vtkIdType>(mesh.NumberOfSpecks);
   this->IsInsideOut = mesh.NumberOfBorderEdges == 0 && VolumeOf(mesh) < 0.0;
@@ -387,7 +393,11 @@ void vtkPointSetSurfaceFilter::Run::AddFields(int status, const std::string& mes
 }
 
 //------------------------------------------------------------------------------
-vtkPointSetSurfaceFilter::vtkPointSetSurfaceFilter() { this->SetNumberOfOutputPorts(2); }
+vtkPointSetSurfaceFilter::vtkPointSetSurfaceFilter()
+  : Cloud(std::make_unique<sbvtk::PreparedCloud>())
+{
+  this->SetNumberOfOutputPorts(2);
+}
 
 //------------------------------------------------------------------------------
 vtkPointSetSurfaceFilter::~vtkPointSetSurfaceFilter() = default;

@@ -44,6 +44,13 @@
 #include "sbPointSetModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory> // for std::unique_ptr
+
+namespace sbvtk
+{
+class PreparedCloud;
+}
+
 class SBPOINTSET_EXPORT vtkPointSetSurfaceFilter : public vtkPolyDataAlgorithm
 {
 public:
@@ -145,6 +152,7 @@ private:
 
   class Run;
 
+  std::unique_ptr<sbvtk::PreparedCloud> Cloud; ///< kept while the points do not change
   int Definition = 0;
   double Width = 0.0;
   vtkTypeBool FlipNormals = 0;

@@ -10,7 +10,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from booleans import Reported, arrays_of, heard_from, points_of, triangles_of
+from booleans import Reported, arrays_of, bytes_of, heard_from, points_of, triangles_of
 from meshes import CGAL_DATA
 
 
@@ -77,6 +77,17 @@ def cloud(points, normals=None):
     return data
 
 
+def cube(count, rng):
+    """The surface of a cube of edge one about the origin, at random."""
+    face = rng.integers(0, 6, count)
+    each, axis, side = np.arange(count), face % 3, np.where(face < 3, -1.0, 1.0)
+    points, normals = np.zeros((count, 3)), np.zeros((count, 3))
+    normals[each, axis] = side
+    points[each, axis] = 0.5 * side
+    points[each, (axis + 1) % 3], points[each, (axis + 2) % 3] = rng.uniform(-0.5, 0.5, (2, count))
+    return points, normals
+
+
 @dataclass
 class Result(Reported):
     """What came out of the filter, as plain arrays."""
@@ -96,10 +107,7 @@ class Result(Reported):
         return all(d.GetNumberOfPoints() == 0 and d.GetNumberOfCells() == 0 for d in (self.data, self.mesh_data))
 
     def bytes(self):
-        parts = [self.points.tobytes(), self.mesh.points.tobytes(), self.mesh.triangles.tobytes()]
-        for arrays in (self.arrays, self.mesh_arrays):
-            parts += [name.encode() + np.asarray(values).tobytes() for name, values in sorted(arrays.items())]
-        return b"|".join(parts)
+        return bytes_of(self.data, self.mesh_data)
 
 
 def surface_of(points, normals=None, **settings):

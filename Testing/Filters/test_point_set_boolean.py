@@ -258,3 +258,83 @@ def test_a_tool_that_is_inside_out_is_turned_with_a_warning():
     result = run(cloud_booleans.ball_cloud(4000), tool, INTERSECTION)
     assert result.status == 46 and len(result.warnings) == 1
     assert result.volume == pytest.approx(CAP, rel=0.02)
+
+
+# ---- attributes of the tool --------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("operation", OPERATIONS)
+def test_arrays_of_the_tool_are_carried(operation):
+    tool = cloud_booleans.box(*BOX_AT)
+    corners = points_of(tool)
+    named(tool.GetPointData(), "Height", corners[:, 1] + 3 * corners[:, 2])  # linear: interpolation is exact
+    named(tool.GetPointData(), "Shared", np.full(len(corners), 7.0))
+    named(tool.GetCellData(), "Part", np.arange(10, 16, dtype=np.int32))
+    cloud = cloud_booleans.ball_cloud(4000)
+    named(cloud.GetPointData(), "Shared", np.full(4000, 5.0))
+    result = run(cloud, tool, operation)
+    assert is_sound(result)
+    source, part = result.cell_data["SourceId"], result.cell_data["Part"]
+    assert np.array_equal(part[source == 1], result.cell_data["OriginalCellId"][source == 1] + 10)
+    assert np.all(part[source == 0] == 0)
+    x, height = result.body.points, result.point_data["Height"]
+    of_tool = np.isin(np.arange(len(x)), result.body.triangles[source == 1])
+    assert of_tool.sum() > 100 and np.isnan(height[~of_tool]).all()
+    assert np.abs(height[of_tool] - (x[of_tool, 1] + 3 * x[of_tool, 2])).max() < 1e-9
+    of_cloud = np.isin(np.arange(len(x)), result.body.triangles[source == 0])
+    assert np.all(result.point_data["Shared"] == np.where(of_cloud, 5.0, 7.0))
+    assert result.surface.GetPointData().GetTCoords() is None  # of which the cloud has none
+
+
+def test_an_array_that_cannot_be_carried_is_told():
+    tool, cloud = cloud_booleans.box(*BOX_AT), cloud_booleans.ball_cloud(2000)
+    named(tool.GetPointData(), "Shared", np.zeros((tool.GetNumberOfPoints(), 2)))
+    named(cloud.GetPointData(), "Shared", np.zeros(2000))
+    result = run(cloud, tool, DIFFERENCE)
+    assert result.status == OK and len(result.warnings) == 1 and "'Shared' of Tool" in result.warnings[0]
+
+
+def named(attributes, name, values):
+    array = numpy_to_vtk(values, deep=True)
+    array.SetName(name)
+    attributes.AddArray(array)
+
+
+# ---- updates after the first -------------------------------------------------------------------
+
+
+def test_moving_the_tool_does_not_prepare_the_cloud_again():
+    from surfacebooleans.vtk import vtkPointSetBooleanFilter
+
+    def seconds(result):
+        times = dict(zip(result.field_data["StageNames"], result.field_data["StageSeconds"]))
+        return times["Prepare cloud"] + times["Mesh cloud"]
+
+    cloud = cloud_booleans.ball_cloud(60000)
+    tested = vtkPointSetBooleanFilter()
+    tested.SetInputDataObject(0, cloud)
+    tested.SetInputDataObject(1, cloud_booleans.box(*BOX_AT))
+    first = cloud_booleans.update(tested)
+    moved = cloud_booleans.box([0.35, -2, -2], [2, 2, 2])
+    tested.SetInputDataObject(1, moved)
+    second = cloud_booleans.update(tested)
+    assert seconds(second) < 0.1 * seconds(first)
+    assert outputs_of(second) == outputs_of(run(cloud, moved))
+    # Other arrays on the same points are carried, and are no reason to begin anew.
+    array = numpy_to_vtk(np.arange(60000.0), deep=True)
+    array.SetName("Number")
+    cloud.GetPointData().AddArray(array)
+    third = cloud_booleans.update(tested)
+    assert seconds(third) < 0.1 * seconds(first) and "Number" in third.point_data
+    # Moved points, other normals and other settings are.
+    cloud.GetPoints().GetData().SetComponent(0, 0, 1.5)
+    cloud.GetPoints().Modified()
+    assert seconds(cloud_booleans.update(tested)) > 0.3 * seconds(first)
+    cloud.GetPointData().GetNormals().Modified()
+    assert seconds(cloud_booleans.update(tested)) > 0.3 * seconds(first)
+    tested.SetWidth(4 * first.number("Spacing"))
+    assert cloud_booleans.update(tested).number("Width") == pytest.approx(4 * first.number("Spacing"))
+
+
+def outputs_of(result):
+    return bytes_of(result.surface, result.points, result.curves)

@@ -10,12 +10,11 @@ about k e^2 / 8.
 
 import numpy as np
 import pytest
-from vtkmodules.vtkCommonDataModel import vtkPlane
 
 import clouds
 import measures
-from booleans import arrays_of, heard_from, points_of
 from clouds import surface_of
+from sections import plane_section
 
 COUNTS = (2000, 8000, 32000)
 NOISES = (0.0, 0.2, 0.5)  # in spacings
@@ -61,20 +60,6 @@ SHAPES = {
 }
 
 
-def section_at(points, normals, height, bound):
-    from surfacebooleans.vtk import vtkPointSetIntersectionFilter
-
-    tested, plane = vtkPointSetIntersectionFilter(), vtkPlane()
-    plane.SetOrigin(0, 0, height)
-    plane.SetNormal(0, 0, 1)
-    tested.SetPlane(plane)
-    tested.SetChordError(bound)
-    tested.SetInputDataObject(0, clouds.cloud(points, normals))
-    errors, _ = heard_from(tested)
-    assert not errors
-    return tested.GetOutput()
-
-
 @pytest.mark.parametrize("noise", NOISES)
 @pytest.mark.parametrize("name", SHAPES)
 def test_section_curves_converge(name, noise):
@@ -85,8 +70,9 @@ def test_section_curves_converge(name, noise):
         spacing = np.sqrt(area / count)
         noisy = points + noise * spacing * rng.normal(size=(count, 1)) * normals
         bound = 0.01 * spacing
-        curves = section_at(noisy, normals, 0.1, bound)
-        cells, x = arrays_of(curves.GetCellData()), points_of(curves)
+        curves = plane_section(clouds.cloud(noisy, normals), (0, 0, 0.1), ChordError=bound)
+        assert not curves.errors
+        cells, x = curves.of_curves, curves.points
         assert cells["Closed"].tolist() == [1] * len(radii)
         assert cells["ChordError"].max() <= bound
         # Position: what is left of the noise, and of the curvature under random samples.

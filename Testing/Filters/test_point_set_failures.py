@@ -4,30 +4,20 @@
 
 import numpy as np
 import pytest
-from vtkmodules.vtkCommonDataModel import vtkPlane
 
 import clouds
 import measures
-from booleans import arrays_of, cells_of, heard_from, points_of
 from clouds import implicit, surface_of
+from sections import plane_section
 
 OK, DOUBTFUL, THIN_PARTS, THIN_WALL = 0, 2, 4, 38
 DEFINED, FAR, BORDER, CONTRADICTING = 0, 1, 2, 3
 
 
 def section(points, normals, origin, normal, **settings):
-    from surfacebooleans.vtk import vtkPointSetIntersectionFilter
-
-    tested, plane = vtkPointSetIntersectionFilter(), vtkPlane()
-    plane.SetOrigin(origin)
-    plane.SetNormal(normal)
-    tested.SetPlane(plane)
-    tested.SetInputDataObject(0, clouds.cloud(points, normals))
-    for name, value in settings.items():
-        getattr(tested, "Set" + name)(value)
-    errors, _ = heard_from(tested)
-    assert not errors
-    return tested.GetOutput()
+    curves = plane_section(clouds.cloud(points, normals), origin, normal, **settings)
+    assert not curves.errors
+    return curves
 
 
 def random_sphere(count, rng, radius=1.0):
@@ -110,9 +100,8 @@ def test_the_ends_of_an_open_section_are_listed():
     points, normals = clouds.sphere(20000)
     kept = np.arccos(points[:, 0]) > 0.5  # a hole about the x axis
     curves = section(points[kept], normals[kept], (0, 0, 0), (0, 0, 1))
-    cells, x = arrays_of(curves.GetCellData()), points_of(curves)
-    assert cells["Closed"].tolist() == [0]
-    offsets, ids = cells_of(curves.GetLines())
+    x, ids = curves.points, curves.lines[0]
+    assert curves.of_curves["Closed"].tolist() == [0]
     spacing = np.sqrt(4 * np.pi / 20000)
     for end in (x[ids[0]], x[ids[-1]]):
         assert np.arctan2(abs(end[1]), end[0]) == pytest.approx(0.5, abs=2.5 * spacing)
@@ -142,7 +131,7 @@ def test_density_may_vary_tenfold(ratio):
     assert np.sqrt(np.mean(off[cosine < 0] ** 2)) < 0.02 * spacing
     assert measures.volume(result.mesh) == pytest.approx(2 * np.pi**2 * 0.16, rel=5e-3)
     curves = section(points, normals, (0, 0, 0), (0, 0, 1))
-    assert arrays_of(curves.GetCellData())["Closed"].tolist() == [1, 1]
+    assert curves.of_curves["Closed"].tolist() == [1, 1]
 
 
 # ---- thin walls ----------------------------------------------------------------------------------
@@ -194,14 +183,7 @@ def test_a_thin_part_is_told_and_the_rest_goes_on():
 
 
 def test_edges_are_rounded_over_about_a_width():
-    rng = np.random.default_rng(11)
-    count = 12000
-    face = rng.integers(0, 6, count)
-    each, axis, side = np.arange(count), face % 3, np.where(face < 3, -1.0, 1.0)
-    points, normals = np.zeros((count, 3)), np.zeros((count, 3))
-    normals[each, axis] = side
-    points[each, axis] = 0.5 * side
-    points[each, (axis + 1) % 3], points[each, (axis + 2) % 3] = rng.uniform(-0.5, 0.5, (2, count))
+    points, normals = clouds.cube(12000, np.random.default_rng(11))
     result = surface_of(points, normals)
     width = result.number("Width")
     from_edge = np.sort(0.5 - np.abs(points), axis=1)[:, 1]
@@ -237,9 +219,9 @@ def test_a_plane_that_touches_gives_a_small_loop_or_none():
     points, normals = clouds.sphere(20000)
     spacing = np.sqrt(4 * np.pi / 20000)
     touching = section(points, normals, (0, 0, 1), (0, 0, 1))
-    x = points_of(touching)
-    assert touching.GetNumberOfPoints() == 0 or np.hypot(x[:, 0], x[:, 1]).max() < 2 * spacing
-    assert section(points, normals, (0, 0, 1.01), (0, 0, 1)).GetNumberOfPoints() == 0
+    x = touching.points
+    assert len(x) == 0 or np.hypot(x[:, 0], x[:, 1]).max() < 2 * spacing
+    assert section(points, normals, (0, 0, 1.01), (0, 0, 1)).points.size == 0
     # The one line that a tangent line meets it in is found, or not, but never twice the same.
     surface = implicit(points, normals)
     assert surface.IntersectWithLine([-1, 0, 1 - 1e-3], [1, 0, 1 - 1e-3], None) == 2
@@ -273,8 +255,8 @@ def test_large_coordinates_cost_their_last_digits_only(shift):
     assert np.abs(there.points - shift - here.points).max() < 100 * digits
     assert measures.is_closed(there.mesh)
     curves = section(points + shift, normals, (shift, shift, shift + 0.6), (0, 0, 1), ChordError=1e-4)
-    x = points_of(curves) - shift
-    assert arrays_of(curves.GetCellData())["Closed"].tolist() == [1]
+    x = curves.points - shift
+    assert curves.of_curves["Closed"].tolist() == [1]
     assert np.hypot(x[:, 0], x[:, 1]) == pytest.approx(0.8, abs=1e-6)
 
 

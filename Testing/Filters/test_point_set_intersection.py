@@ -5,42 +5,19 @@
 import numpy as np
 import pytest
 from paraview import simple
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPlane, vtkTable
+from vtkmodules.vtkCommonDataModel import vtkTable
 
 import clouds
-from booleans import arrays_of, cells_of, heard_from, points_of
+from sections import plane_section
 
 OK, BAD_REQUEST, NOT_POINTS, TOO_FEW_POINTS = 0, 10, 20, 30
 
 
-def section(data, origin=(0, 0, 0), normal=(0, 0, 1), **settings):
-    """The output, and the error messages."""
-    from surfacebooleans.vtk import vtkPointSetIntersectionFilter
-
-    tested = vtkPointSetIntersectionFilter()
-    if normal is not None:
-        plane = vtkPlane()
-        plane.SetOrigin(origin)
-        plane.SetNormal(normal)
-        tested.SetPlane(plane)
-    for name, value in settings.items():
-        getattr(tested, "Set" + name)(value)
-    if data is not None:
-        tested.SetInputDataObject(0, data)
-    errors, _ = heard_from(tested)
-    return tested.GetOutput(), errors
-
-
-def status(curves):
-    return int(vtk_to_numpy(curves.GetFieldData().GetArray("Status"))[0])
-
-
 def test_a_sphere_gives_circles():
     data = clouds.cloud(*clouds.sphere(10000))
-    curves, errors = section(data, (0, 0, 0.6), (0, 0, 3), ChordError=1e-4)
-    assert status(curves) == OK and not errors
-    cell, point, x = arrays_of(curves.GetCellData()), arrays_of(curves.GetPointData()), points_of(curves)
+    curves = plane_section(data, (0, 0, 0.6), (0, 0, 3), ChordError=1e-4)
+    assert curves.status == OK and not curves.errors
+    cell, point, x = curves.of_curves, curves.of_points, curves.points
     assert cell["Closed"].tolist() == [1]
     assert cell["Length"] == pytest.approx(2 * np.pi * 0.8, rel=1e-3)
     assert 0 < cell["ChordError"][0] <= 1e-4
@@ -49,20 +26,19 @@ def test_a_sphere_gives_circles():
     assert len(x) < 3 * np.pi / np.arccos(1 - 1e-4 / 0.8)
     assert np.median(point["Curvature"]) == pytest.approx(-1.25, rel=0.01)
     assert np.einsum("ij,ij->i", point["Normals"], x).min() > 0.999
-    _, ids = cells_of(curves.GetLines())
+    ids = curves.lines[0]
     assert ids[0] == ids[-1] and len(set(ids.tolist())) == len(x)  # closed by its first point
     # Seen from above the inside is on the left.
     turn = np.cross(x[ids[:-1], :2], x[ids[1:], :2]).sum()
     assert turn > 0
-    flipped, _ = section(data, (0, 0, 0.6), FlipNormals=True, ChordError=1e-4)
-    _, ids = cells_of(flipped.GetLines())
-    y = points_of(flipped)
+    flipped = plane_section(data, (0, 0, 0.6), FlipNormals=True, ChordError=1e-4)
+    y, ids = flipped.points, flipped.lines[0]
     assert np.cross(y[ids[:-1], :2], y[ids[1:], :2]).sum() < 0
 
 
 def test_the_bound_decides_the_number_of_points():
     data = clouds.cloud(*clouds.torus(8000, np.random.default_rng(1)))
-    counts = [section(data, ChordError=e, Width=0.25)[0].GetNumberOfPoints() for e in (4e-3, 1e-3, 2.5e-4)]
+    counts = [len(plane_section(data, ChordError=e, Width=0.25).points) for e in (4e-3, 1e-3, 2.5e-4)]
     assert 1.5 < counts[1] / counts[0] < 3 and 1.5 < counts[2] / counts[1] < 3
 
 
@@ -72,27 +48,24 @@ def test_the_kitten_is_sliced():
     bound = 1e-3
     for share in (0.15, 0.3, 0.5, 0.7, 0.9):
         origin = lower + share * (upper - lower)
-        curves, errors = section(clouds.cloud(points, normals), origin, (0, 1, 0), ChordError=bound)
-        arrays = arrays_of(curves.GetCellData())
-        assert status(curves) == OK and not errors and curves.GetNumberOfLines() > 0
-        assert arrays["Closed"].all() and arrays["ChordError"].max() <= bound
-        assert np.abs(points_of(curves)[:, 1] - origin[1]).max() < 1e-12
+        curves = plane_section(clouds.cloud(points, normals), origin, (0, 1, 0), ChordError=bound)
+        assert curves.status == OK and not curves.errors and curves.lines
+        assert curves.of_curves["Closed"].all() and curves.of_curves["ChordError"].max() <= bound
+        assert np.abs(curves.points[:, 1] - origin[1]).max() < 1e-12
 
 
 def test_the_order_of_points_and_threads_do_not_matter():
     rng = np.random.default_rng(2)
     points, normals = clouds.torus(4000, rng)
     order = rng.permutation(4000)
-    one, _ = section(clouds.cloud(points, normals), normal=(0.3, 0.1, 1), NumberOfThreads=1)
-    other, _ = section(clouds.cloud(points[order], normals[order]), normal=(0.3, 0.1, 1), NumberOfThreads=3)
-    assert one.GetNumberOfPoints() > 50
-    assert np.array_equal(points_of(one), points_of(other))
-    assert all(np.array_equal(a, b) for a, b in zip(cells_of(one.GetLines()), cells_of(other.GetLines())))
+    one = plane_section(clouds.cloud(points, normals), normal=(0.3, 0.1, 1), NumberOfThreads=1)
+    other = plane_section(clouds.cloud(points[order], normals[order]), normal=(0.3, 0.1, 1), NumberOfThreads=3)
+    assert len(one.points) > 50 and one.bytes() == other.bytes()
 
 
 def test_a_plane_that_misses_gives_nothing_and_no_error():
-    curves, errors = section(clouds.cloud(*clouds.sphere(2000)), (0, 0, 5))
-    assert status(curves) == OK and not errors and curves.GetNumberOfPoints() == 0
+    curves = plane_section(clouds.cloud(*clouds.sphere(2000)), (0, 0, 5))
+    assert curves.status == OK and not curves.errors and curves.points.size == 0
 
 
 @pytest.mark.parametrize(
@@ -109,9 +82,9 @@ def test_a_plane_that_misses_gives_nothing_and_no_error():
     ],
 )
 def test_bad_input_is_refused_in_one_sentence(data, settings, wanted, word):
-    curves, errors = section(data, **settings)
-    assert status(curves) == wanted and len(errors) == 1 and word in errors[0]
-    assert curves.GetNumberOfPoints() == 0 and curves.GetNumberOfCells() == 0
+    curves = plane_section(data, **settings)
+    assert curves.status == wanted and len(curves.errors) == 1 and word in curves.errors[0]
+    assert curves.points.size == 0 and not curves.lines
 
 
 def test_the_proxy_has_a_plane_to_move():

@@ -2,12 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Point Set Intersection with a mesh as its Tool: the filter, the proxy, real scans and real meshes."""
 
-from dataclasses import dataclass, field
-
 import numpy as np
 import pytest
 from paraview import simple
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
@@ -21,65 +18,11 @@ from vtkmodules.vtkCommonDataModel import (
 import clouds
 import meshes
 import states
-from booleans import Reported, arrays_of, cells_of, heard_from, points_of, polydata
+from booleans import polydata
+from sections import curves_of, plane_section, update, values_at
 
 OK, COINCIDENT_AREA, FACETS_ONLY, BAD_REQUEST, NOT_POINTS, NOT_A_SURFACE, TOO_FEW_POINTS = 0, 4, 5, 10, 20, 21, 30
 NO_END, TOOL_BORDER, SCAN_BORDER = 0, 1, 2
-
-
-@dataclass
-class Curves(Reported):
-    data: vtkPolyData
-    points: np.ndarray
-    lines: list  # of arrays of point ids
-    of_points: dict
-    of_curves: dict
-    field_data: dict
-    errors: list = field(default_factory=list)
-    warnings: list = field(default_factory=list)
-
-    def bytes(self):
-        parts = [self.points.tobytes()] + [line.tobytes() for line in self.lines]
-        for arrays in (self.of_points, self.of_curves):
-            parts += [name.encode() + np.asarray(values).tobytes() for name, values in sorted(arrays.items())]
-        return b"|".join(parts)
-
-
-def curves_of(data, tool, **settings):
-    """The filter on any data objects; a meshes.Mesh is made a vtkPolyData, None is no connection."""
-    from surfacebooleans.vtk import vtkPointSetIntersectionFilter
-
-    tested = vtkPointSetIntersectionFilter()
-    for name, value in settings.items():
-        getattr(tested, "Set" + name)(value)
-    tested.SetInputDataObject(0, data)
-    tested.SetToolData(polydata(tool) if isinstance(tool, meshes.Mesh) else tool)
-    return update(tested)
-
-
-def update(tested):
-    errors, warnings = heard_from(tested)
-    data = tested.GetOutput()
-    starts, ids = cells_of(data.GetLines())
-    return Curves(
-        data,
-        points_of(data),
-        [ids[a:b] for a, b in zip(starts[:-1], starts[1:])],
-        arrays_of(data.GetPointData()),
-        arrays_of(data.GetCellData()),
-        arrays_of(data.GetFieldData()),
-        errors,
-        warnings,
-    )
-
-
-def values_at(data, points):
-    """The cloud's function, by the implicit function; NaN where the scan ends."""
-    from surfacebooleans.vtk import vtkMovingLeastSquaresSurface
-
-    surface = vtkMovingLeastSquaresSurface()
-    surface.SetInput(data)
-    return np.array([surface.EvaluateFunction(p) if surface.IsDefined(p) else np.nan for p in points])
 
 
 def check(result, tool, bound):
@@ -164,11 +107,8 @@ def test_open_meshes_and_open_scans_end_as_told():
     line = result.points[result.lines[0]]
     assert line[:, 0].min() == pytest.approx(0.5, abs=1e-12) and line[:, 0].max() == pytest.approx(1, abs=0.05)
     # The plane's curves have both ends at the border of the scan.
-    rows = clouds.cloud(*clouds.plane(60))
-    from test_point_set_intersection import section
-
-    cut, _ = section(rows, (0.5, 0.4, 0), (0, 1, 0))
-    assert arrays_of(cut.GetCellData())["Ends"].tolist() == [[SCAN_BORDER, SCAN_BORDER]]
+    cut = plane_section(data, (0.5, 0.4, 0), (0, 1, 0))
+    assert cut.of_curves["Ends"].tolist() == [[SCAN_BORDER, SCAN_BORDER]]
 
 
 def test_a_loop_inside_of_one_triangle_and_a_touch():

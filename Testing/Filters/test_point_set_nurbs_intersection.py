@@ -11,7 +11,9 @@ import cad
 import clouds
 import patches
 from booleans import arrays_of, points_of
-from test_point_set_mesh_intersection import FACETS_ONLY, OK, TOOL_BORDER, curves_of, values_at
+from sections import curves_of, values_at
+
+OK, FACETS_ONLY, TOOL_BORDER = 0, 5, 1
 
 
 def check_on_both(result, data, faces, size=2.0):

@@ -122,14 +122,7 @@ def test_coordinates_far_from_the_origin_cost_digits_only():
 
 @pytest.mark.parametrize("with_normals", [True, False])
 def test_sharp_edges_are_rounded_but_closed(with_normals):
-    rng = np.random.default_rng(11)
-    count = 12000
-    face = rng.integers(0, 6, count)
-    each, axis, side = np.arange(count), face % 3, np.where(face < 3, -1.0, 1.0)
-    points, normals = np.zeros((count, 3)), np.zeros((count, 3))
-    normals[each, axis] = side
-    points[each, axis] = 0.5 * side
-    points[each, (axis + 1) % 3], points[each, (axis + 2) % 3] = rng.uniform(-0.5, 0.5, (2, count))
+    points, normals = clouds.cube(12000, np.random.default_rng(11))
     result = surface_of(points, normals if with_normals else None, GenerateSurface=True)
     assert result.status == OK and measures.is_closed(result.mesh)
     assert len(result.mesh.points) - len(result.mesh.triangles) / 2 == 2

@@ -130,6 +130,32 @@ void SectionsOfATorus()
   CHECK(SectionOf(made, { 0, 0, 0.6 }, { 0, 0, 1 }, 1e-3).Curves.empty());
 }
 
+/** A plane that nearly touches a torus at its inner equator: two loops that almost meet, or one
+ * with a waist. */
+void BranchesNearASaddle()
+{
+  std::mt19937 random(3);
+  const sb::CloudSurface made = clouds::SurfaceOf(clouds::Torus(20000, random));
+  for (const double away : { 3e-2, 1e-2, 3e-3, 1e-3, 3e-4 })
+  {
+    for (const double turn : { 0.0, 0.3, 1.1, 2.0, 4.0 })
+    {
+      const Real3 n{ std::cos(turn), std::sin(turn), 0.0 };
+      for (const double side : { -1.0, 1.0 })
+      {
+        const sb::PlaneSection section = SectionOf(made, sb::Scaled(n, 0.6 + side * away), n, 1e-3);
+        CHECK_EQUAL(section.Curves.size(), side < 0.0 ? 2u : 1u);
+        for (const sb::SectionCurve& curve : section.Curves)
+        {
+          CHECK(curve.Closed);
+          CHECK(curve.LargestChordError <= 1e-3);
+          CHECK(ChordError(made, curve, n) <= 1e-3);
+        }
+      }
+    }
+  }
+}
+
 void OpenSectionsEndAtTheBorder()
 {
   const sb::CloudSurface made = clouds::SurfaceOf(clouds::Plane(60));
@@ -168,6 +194,7 @@ int main()
 {
   CirclesOfASphere();
   SectionsOfATorus();
+  BranchesNearASaddle();
   OpenSectionsEndAtTheBorder();
   ThreadsDoNotMatter();
   return check::Verdict("TestPlaneSection");
