@@ -391,15 +391,12 @@ int vtkPointSetBooleanFilter::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
-int vtkPointSetBooleanFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+void vtkPointSetBooleanFilter::ComputeWhole(
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   const sbvtk::CloudBooleanOutputs filled{ vtkPolyData::GetData(outputs, 0),
     vtkPolyData::GetData(outputs, 1), vtkPolyData::GetData(outputs, 2) };
   sbvtk::RunWithThreads(this->NumberOfThreads, [&] { Run(this, inputs, filled).Execute(); });
-  this->SetAbortOutput(
-    false); // a run that was stopped says so in its field data, which the pipeline would clear
-  return 1;
 }
 
 //------------------------------------------------------------------------------

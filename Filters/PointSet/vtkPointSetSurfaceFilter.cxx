@@ -412,16 +412,13 @@ int vtkPointSetSurfaceFilter::FillInputPortInformation(int, vtkInformation* info
 }
 
 //------------------------------------------------------------------------------
-int vtkPointSetSurfaceFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+void vtkPointSetSurfaceFilter::ComputeWhole(
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputs[0], 0);
   vtkPolyData* points = vtkPolyData::GetData(outputs, 0);
   vtkPolyData* mesh = vtkPolyData::GetData(outputs, 1);
   sbvtk::RunWithThreads(this->NumberOfThreads, [&] { Run(this, input, points, mesh).Execute(); });
-  this->SetAbortOutput(
-    false); // a run that was stopped says so in its field data, which the pipeline would clear
-  return 1;
 }
 
 //------------------------------------------------------------------------------

@@ -42,7 +42,7 @@
 #define vtkPointSetSurfaceFilter_h
 
 #include "sbPointSetModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkWholePolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
 
@@ -51,11 +51,11 @@ namespace sbvtk
 class PreparedCloud;
 }
 
-class SBPOINTSET_EXPORT vtkPointSetSurfaceFilter : public vtkPolyDataAlgorithm
+class SBPOINTSET_EXPORT vtkPointSetSurfaceFilter : public vtkWholePolyDataAlgorithm
 {
 public:
   static vtkPointSetSurfaceFilter* New();
-  vtkTypeMacro(vtkPointSetSurfaceFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkPointSetSurfaceFilter, vtkWholePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** Values of the field array `Status`; those from 5 on are errors, with empty outputs. The
@@ -143,8 +143,7 @@ protected:
   ~vtkPointSetSurfaceFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void ComputeWhole(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkPointSetSurfaceFilter(const vtkPointSetSurfaceFilter&) = delete;
