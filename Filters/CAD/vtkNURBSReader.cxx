@@ -306,14 +306,10 @@ vtkNURBSReader::vtkNURBSReader() { this->SetNumberOfInputPorts(0); }
 vtkNURBSReader::~vtkNURBSReader() { delete[] this->FileName; }
 
 //------------------------------------------------------------------------------
-int vtkNURBSReader::RequestData(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+void vtkNURBSReader::ComputeWhole(vtkInformationVector**, vtkInformationVector* outputs)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   sbvtk::RunWithThreads(0, [&] { Run(this, output).Execute(); });
-  // A run that was stopped says so in its field data, which the pipeline would clear.
-  this->SetAbortOutput(false);
-  return 1;
 }
 
 //------------------------------------------------------------------------------

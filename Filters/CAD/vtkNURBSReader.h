@@ -23,13 +23,13 @@
 #define vtkNURBSReader_h
 
 #include "sbCADModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkWholePolyDataAlgorithm.h"
 
-class SBCAD_EXPORT vtkNURBSReader : public vtkPolyDataAlgorithm
+class SBCAD_EXPORT vtkNURBSReader : public vtkWholePolyDataAlgorithm
 {
 public:
   static vtkNURBSReader* New();
-  vtkTypeMacro(vtkNURBSReader, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkNURBSReader, vtkWholePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** Field data `Status`; below 5 there is a result. */
@@ -64,8 +64,7 @@ protected:
   vtkNURBSReader();
   ~vtkNURBSReader() override;
 
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void ComputeWhole(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkNURBSReader(const vtkNURBSReader&) = delete;

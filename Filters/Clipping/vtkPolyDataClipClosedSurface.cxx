@@ -454,13 +454,10 @@ int vtkPolyDataClipClosedSurface::FillInputPortInformation(int, vtkInformation* 
 }
 
 //------------------------------------------------------------------------------
-int vtkPolyDataClipClosedSurface::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+void vtkPolyDataClipClosedSurface::ComputeWhole(
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   sbvtk::RunWithThreads(this->NumberOfThreads, [&] { Run(this, inputs, outputs).Execute(); });
-  this->SetAbortOutput(
-    false); // a run that was stopped says so in its field data, which the pipeline would clear
-  return 1;
 }
 
 //------------------------------------------------------------------------------

@@ -43,8 +43,8 @@
 #define vtkPolyDataClipClosedSurface_h
 
 #include "sbClippingModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for the planes
+#include "vtkWholePolyDataAlgorithm.h"
 
 #include <array> // for the table of planes
 #include <memory> // for std::unique_ptr
@@ -52,11 +52,11 @@
 
 class vtkPlaneCollection;
 
-class SBCLIPPING_EXPORT vtkPolyDataClipClosedSurface : public vtkPolyDataAlgorithm
+class SBCLIPPING_EXPORT vtkPolyDataClipClosedSurface : public vtkWholePolyDataAlgorithm
 {
 public:
   static vtkPolyDataClipClosedSurface* New();
-  vtkTypeMacro(vtkPolyDataClipClosedSurface, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkPolyDataClipClosedSurface, vtkWholePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum ScalarModeType
@@ -208,8 +208,7 @@ protected:
   ~vtkPolyDataClipClosedSurface() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void ComputeWhole(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkPolyDataClipClosedSurface(const vtkPolyDataClipClosedSurface&) = delete;

@@ -226,11 +226,10 @@ void vtkPolyDataContourTriangulator::Run::AddFields(int status, const std::strin
 }
 
 //------------------------------------------------------------------------------
-int vtkPolyDataContourTriangulator::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+void vtkPolyDataContourTriangulator::ComputeWhole(
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   Run(this, vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(outputs)).Execute();
-  return 1;
 }
 
 //------------------------------------------------------------------------------

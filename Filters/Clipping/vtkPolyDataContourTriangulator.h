@@ -26,13 +26,13 @@
 #define vtkPolyDataContourTriangulator_h
 
 #include "sbClippingModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkWholePolyDataAlgorithm.h"
 
-class SBCLIPPING_EXPORT vtkPolyDataContourTriangulator : public vtkPolyDataAlgorithm
+class SBCLIPPING_EXPORT vtkPolyDataContourTriangulator : public vtkWholePolyDataAlgorithm
 {
 public:
   static vtkPolyDataContourTriangulator* New();
-  vtkTypeMacro(vtkPolyDataContourTriangulator, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkPolyDataContourTriangulator, vtkWholePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** Values of the field array `Status` beside those of the kernel (sb::Status in
@@ -48,8 +48,7 @@ protected:
   vtkPolyDataContourTriangulator() = default;
   ~vtkPolyDataContourTriangulator() override = default;
 
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void ComputeWhole(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkPolyDataContourTriangulator(const vtkPolyDataContourTriangulator&) = delete;

@@ -382,13 +382,10 @@ int vtkPolyDataCutClosedSurface::FillInputPortInformation(int, vtkInformation* i
 }
 
 //------------------------------------------------------------------------------
-int vtkPolyDataCutClosedSurface::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+void vtkPolyDataCutClosedSurface::ComputeWhole(
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   sbvtk::RunWithThreads(this->NumberOfThreads, [&] { Run(this, inputs, outputs).Execute(); });
-  this->SetAbortOutput(
-    false); // a run that was stopped says so in its field data, which the pipeline would clear
-  return 1;
 }
 
 //------------------------------------------------------------------------------

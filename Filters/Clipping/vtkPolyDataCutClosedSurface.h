@@ -36,16 +36,16 @@
 #define vtkPolyDataCutClosedSurface_h
 
 #include "sbClippingModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkWholePolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
 #include <vector> // for the offsets
 
-class SBCLIPPING_EXPORT vtkPolyDataCutClosedSurface : public vtkPolyDataAlgorithm
+class SBCLIPPING_EXPORT vtkPolyDataCutClosedSurface : public vtkWholePolyDataAlgorithm
 {
 public:
   static vtkPolyDataCutClosedSurface* New();
-  vtkTypeMacro(vtkPolyDataCutClosedSurface, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkPolyDataCutClosedSurface, vtkWholePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** As in vtkPolyDataClipClosedSurface. */
@@ -106,8 +106,7 @@ protected:
   ~vtkPolyDataCutClosedSurface() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void ComputeWhole(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkPolyDataCutClosedSurface(const vtkPolyDataCutClosedSurface&) = delete;

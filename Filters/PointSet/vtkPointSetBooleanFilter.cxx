@@ -477,13 +477,10 @@ int vtkPointSetBooleanFilter::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
-int vtkPointSetBooleanFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+void vtkPointSetBooleanFilter::ComputeWhole(
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   sbvtk::RunWithThreads(this->NumberOfThreads, [&] { Run(this, inputs, outputs).Execute(); });
-  this->SetAbortOutput(
-    false); // a run that was stopped says so in its field data, which the pipeline would clear
-  return 1;
 }
 
 //------------------------------------------------------------------------------

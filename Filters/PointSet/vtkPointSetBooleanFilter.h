@@ -51,15 +51,15 @@
 #define vtkPointSetBooleanFilter_h
 
 #include "sbPointSetModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkWholePolyDataAlgorithm.h"
 
 #include <memory> // for the cache
 
-class SBPOINTSET_EXPORT vtkPointSetBooleanFilter : public vtkPolyDataAlgorithm
+class SBPOINTSET_EXPORT vtkPointSetBooleanFilter : public vtkWholePolyDataAlgorithm
 {
 public:
   static vtkPointSetBooleanFilter* New();
-  vtkTypeMacro(vtkPointSetBooleanFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkPointSetBooleanFilter, vtkWholePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum OperationType
@@ -154,8 +154,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void ComputeWhole(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkPointSetBooleanFilter(const vtkPointSetBooleanFilter&) = delete;

@@ -449,16 +449,13 @@ int vtkPointSetIntersectionFilter::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
-int vtkPointSetIntersectionFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+void vtkPointSetIntersectionFilter::ComputeWhole(
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputs[0], 0);
   vtkPolyData* curves = vtkPolyData::GetData(outputs, 0);
   sbvtk::RunWithThreads(
     this->NumberOfThreads, [&] { Run(this, input, inputs[1], curves).Execute(); });
-  this->SetAbortOutput(
-    false); // a run that was stopped says so in its field data, which the pipeline would clear
-  return 1;
 }
 
 //------------------------------------------------------------------------------

@@ -36,8 +36,8 @@
 #define vtkPointSetIntersectionFilter_h
 
 #include "sbPointSetModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for the plane
+#include "vtkWholePolyDataAlgorithm.h"
 
 #include <memory> // for what is kept of the Tool
 
@@ -48,11 +48,11 @@ namespace sbvtk
 class DesignedInput;
 }
 
-class SBPOINTSET_EXPORT vtkPointSetIntersectionFilter : public vtkPolyDataAlgorithm
+class SBPOINTSET_EXPORT vtkPointSetIntersectionFilter : public vtkWholePolyDataAlgorithm
 {
 public:
   static vtkPointSetIntersectionFilter* New();
-  vtkTypeMacro(vtkPointSetIntersectionFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkPointSetIntersectionFilter, vtkWholePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** What ends a curve, in the array `Ends`. */
@@ -133,8 +133,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void ComputeWhole(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkPointSetIntersectionFilter(const vtkPointSetIntersectionFilter&) = delete;

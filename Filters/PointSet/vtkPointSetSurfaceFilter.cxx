@@ -537,14 +537,11 @@ int vtkPointSetSurfaceFilter::FillInputPortInformation(int, vtkInformation* info
 }
 
 //------------------------------------------------------------------------------
-int vtkPointSetSurfaceFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+void vtkPointSetSurfaceFilter::ComputeWhole(
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputs[0], 0);
   sbvtk::RunWithThreads(this->NumberOfThreads, [&] { Run(this, input, outputs).Execute(); });
-  this->SetAbortOutput(
-    false); // a run that was stopped says so in its field data, which the pipeline would clear
-  return 1;
 }
 
 //------------------------------------------------------------------------------

@@ -42,13 +42,13 @@
 #define vtkPointSetSurfaceFilter_h
 
 #include "sbPointSetModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkWholePolyDataAlgorithm.h"
 
-class SBPOINTSET_EXPORT vtkPointSetSurfaceFilter : public vtkPolyDataAlgorithm
+class SBPOINTSET_EXPORT vtkPointSetSurfaceFilter : public vtkWholePolyDataAlgorithm
 {
 public:
   static vtkPointSetSurfaceFilter* New();
-  vtkTypeMacro(vtkPointSetSurfaceFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkPointSetSurfaceFilter, vtkWholePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** Values of the field array `Status`; those from 5 on are errors, with empty outputs. The
@@ -136,8 +136,7 @@ protected:
   ~vtkPointSetSurfaceFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void ComputeWhole(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkPointSetSurfaceFilter(const vtkPointSetSurfaceFilter&) = delete;

@@ -10,6 +10,7 @@
 #include "DistanceSummary.h"
 #include "DistanceSurface.h"
 
+#include <utility>
 #include <vector>
 
 class vtkDataObject;
@@ -49,8 +50,8 @@ public:
   /** How many of the points so far were not finite, so that their distance is NaN. */
   std::int64_t NumberOfBadPoints() const { return this->BadPoints; }
 
-  /** Of the points of all data sets so far. */
-  sb::DistanceSummary Summary() const { return sb::Summarize(this->All); }
+  /** Of the points of all data sets so far, one after another. */
+  std::vector<double> TakeDistances() { return std::move(this->All); }
 
 private:
   bool AddArrays(vtkDataSetAttributes* attributes, const SamplePlaces& places, double*& distances,

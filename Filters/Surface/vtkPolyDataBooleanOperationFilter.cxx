@@ -347,13 +347,10 @@ int vtkPolyDataBooleanOperationFilter::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
-int vtkPolyDataBooleanOperationFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+void vtkPolyDataBooleanOperationFilter::ComputeWhole(
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   sbvtk::RunWithThreads(this->NumberOfThreads, [&] { Run(this, inputs, outputs).Execute(); });
-  this->SetAbortOutput(
-    false); // a run that was stopped says so in its field data, which the pipeline would clear
-  return 1;
 }
 
 //------------------------------------------------------------------------------

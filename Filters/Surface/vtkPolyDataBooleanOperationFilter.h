@@ -50,15 +50,15 @@
 #define vtkPolyDataBooleanOperationFilter_h
 
 #include "sbSurfaceModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkWholePolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
 
-class SBSURFACE_EXPORT vtkPolyDataBooleanOperationFilter : public vtkPolyDataAlgorithm
+class SBSURFACE_EXPORT vtkPolyDataBooleanOperationFilter : public vtkWholePolyDataAlgorithm
 {
 public:
   static vtkPolyDataBooleanOperationFilter* New();
-  vtkTypeMacro(vtkPolyDataBooleanOperationFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkPolyDataBooleanOperationFilter, vtkWholePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum OperationType
@@ -138,8 +138,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void ComputeWhole(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkPolyDataBooleanOperationFilter(const vtkPolyDataBooleanOperationFilter&) = delete;

@@ -8,6 +8,7 @@
 #include "DistanceSurface.h"
 #include "FieldArrays.h"
 #include "KernelExecutor.h"
+#include "RankGathering.h"
 #include "SamplePlaces.h"
 #include "SurfaceInput.h"
 #include "TimeSteps.h"
@@ -20,11 +21,18 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <functional>
 #include <limits>
 #include <new>
 #include <string>
@@ -35,6 +43,8 @@ vtkStandardNewMacro(vtkPolyDataDistance);
 /** What is kept from one update to the next. */
 struct vtkPolyDataDistance::Cache
 {
+  sbvtk::RankGathering Ranks;
+  sbvtk::SurfaceInput ToolPiece; ///< of this process
   sbvtk::SurfaceInput Tool;
   sbvtk::DistanceSurface ToolSurface;
   sbvtk::SurfaceInput Input;
@@ -47,10 +57,12 @@ class vtkPolyDataDistance::Run
 public:
   Run(vtkPolyDataDistance* filter, vtkInformationVector** inputs, vtkInformationVector* outputs)
     : Filter(filter)
+    , Ranks(filter->Kept->Ranks)
     , Input(vtkDataObject::GetData(inputs[0], 0))
     , Tool(vtkDataObject::GetData(inputs[1], 0))
     , First(vtkDataObject::GetData(outputs, 0))
     , Second(vtkPolyData::GetData(outputs, 1))
+    , Outputs(outputs)
   {
   }
 
@@ -59,25 +71,36 @@ public:
 private:
   using Remark = sbvtk::DistanceSurface::Remark;
 
+  void Alone(const std::function<void()>& step);
   void CheckSettings() const;
-  void ReadTool();
+  void ReadTool(vtkDataObject* whole);
   void MapInput();
   void MapTool();
-  void PrepareInput();
+  sb::DistanceSummary Summary(const std::vector<vtkDataSet*>& leaves);
+  void SummarizeInput();
+  void SummarizeTool();
+  vtkSmartPointer<vtkDataObject> WholeInput();
+  std::vector<double> PointsOf(const std::vector<vtkDataSet*>& leaves);
+  void PrepareInput(vtkDataObject* whole);
+  void BringTogether();
   sbvtk::DistanceOptions Options() const;
   void CopyInput();
   void Note(const Remark& remark);
-  void NoteBadPoints(const sbvtk::DistanceMap& map, const std::string& name);
+  void NoteBadPoints(std::int64_t count);
   void Fail(const Remark& failure);
 
   vtkPolyDataDistance* Filter;
+  sbvtk::RankGathering& Ranks;
   vtkDataObject* Input;
   vtkDataObject* Tool;
   vtkDataObject* First;
   vtkPolyData* Second;
+  vtkInformationVector* Outputs;
   sbvtk::KernelExecutor Executor;
   std::vector<vtkDataSet*> Leaves; ///< of output 0
+  std::vector<double> Distances; ///< measured last
   Remark Gravest;
+  std::int64_t BadPoints = 0; ///< of the Input
   double InputToTool = 0.0;
 };
 
@@ -91,17 +114,58 @@ sbvtk::DistanceSurface::Remark Stopped()
   return { static_cast<int>(remark.Condition), sbvtk::ConditionSentence(remark, "", -1), true };
 }
 
+void FillPlaces(
+  const std::vector<double>& coordinates, const std::vector<double>& distances, vtkPolyData* places)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(coordinates.size() / 3));
+  std::copy(coordinates.begin(), coordinates.end(),
+    vtkDoubleArray::FastDownCast(points->GetData())->GetPointer(0));
+  places->SetPoints(points);
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Distance");
+  values->SetNumberOfValues(static_cast<vtkIdType>(distances.size()));
+  std::copy(distances.begin(), distances.end(), values->GetPointer(0));
+  places->GetPointData()->AddArray(values);
+}
+
+std::vector<double> DistancesOf(vtkPolyData* places)
+{
+  auto* values = vtkDoubleArray::FastDownCast(places->GetPointData()->GetArray("Distance"));
+  return { values->GetPointer(0), values->GetPointer(0) + values->GetNumberOfValues() };
+}
+
+sbvtk::DistanceSurface::Remark OutOfMemory()
+{
+  return { vtkPolyDataDistance::OUT_OF_MEMORY,
+    "The result does not fit into memory; decimate the Tool or close other data first.", true };
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
 void vtkPolyDataDistance::Run::Execute()
 {
+  using Receiver = sbvtk::RankGathering::Receiver;
   try
   {
-    this->CheckSettings();
-    this->ReadTool();
-    this->MapInput();
-    this->MapTool();
+    this->Alone([this] { this->CheckSettings(); });
+    const vtkSmartPointer<vtkDataObject> tool = this->Ranks.Gather(this->Tool, 1, 0, Receiver::All);
+    this->Alone([&] {
+      this->ReadTool(tool);
+      this->MapInput();
+    });
+    this->SummarizeInput();
+    if (this->Filter->ComputeSecondDistance)
+    {
+      const vtkSmartPointer<vtkDataObject> input = this->WholeInput();
+      this->Alone([&] {
+        this->PrepareInput(input);
+        this->MapTool();
+      });
+      this->SummarizeTool();
+    }
     for (vtkDataObject* output : { this->First, static_cast<vtkDataObject*>(this->Second) })
     {
       sbvtk::AddField(output, "Status", this->Gravest.Status);
@@ -116,9 +180,54 @@ void vtkPolyDataDistance::Run::Execute()
   }
   catch (const std::bad_alloc&)
   {
-    this->Fail({ OUT_OF_MEMORY,
-      "The result does not fit into memory; decimate the Tool or close other data first.", true });
+    this->Fail(OutOfMemory());
   }
+  this->BringTogether();
+}
+
+//------------------------------------------------------------------------------
+/** A step that this process takes by itself; what goes wrong in one process ends the update in
+ * all, with the sentence of the first. */
+void vtkPolyDataDistance::Run::Alone(const std::function<void()>& step)
+{
+  if (!this->Ranks.IsParallel())
+  {
+    step();
+    return;
+  }
+  Remark failure;
+  try
+  {
+    step();
+  }
+  catch (const Remark& thrown)
+  {
+    failure = thrown;
+  }
+  catch (const std::bad_alloc&)
+  {
+    failure = OutOfMemory();
+  }
+  if (this->Ranks.InAll(!failure.IsError))
+  {
+    return;
+  }
+  std::vector<char> bytes;
+  if (failure.IsError)
+  {
+    bytes.resize(sizeof failure.Status);
+    std::memcpy(bytes.data(), &failure.Status, sizeof failure.Status);
+    bytes.insert(bytes.end(), failure.Sentence.begin(), failure.Sentence.end());
+  }
+  const std::vector<std::vector<char>> all = this->Ranks.Collect(bytes);
+  const auto first = std::find_if(
+    all.begin(), all.end(), [](const std::vector<char>& ofRank) { return !ofRank.empty(); });
+  bytes = first == all.end() ? std::vector<char>() : *first;
+  this->Ranks.Distribute(bytes);
+  std::memcpy(&failure.Status, bytes.data(), sizeof failure.Status);
+  failure.Sentence.assign(bytes.begin() + sizeof failure.Status, bytes.end());
+  failure.IsError = true;
+  throw failure;
 }
 
 //------------------------------------------------------------------------------
@@ -157,15 +266,22 @@ void vtkPolyDataDistance::Run::CheckSettings() const
 }
 
 //------------------------------------------------------------------------------
-void vtkPolyDataDistance::Run::ReadTool()
+void vtkPolyDataDistance::Run::ReadTool(vtkDataObject* whole)
 {
   Cache& kept = *this->Filter->Kept;
-  const std::string refusal = kept.Tool.Read(this->Tool, this->Executor);
+  std::string refusal = kept.Tool.Read(whole, this->Executor);
+  if (refusal.empty() && this->Ranks.IsParallel())
+  {
+    refusal = kept.ToolPiece.Read(this->Tool, this->Executor);
+  }
   if (!refusal.empty())
   {
     throw Remark{ NOT_A_SURFACE, "Tool " + refusal, true };
   }
   this->Note(kept.ToolSurface.Prepare(kept.Tool.Surface(), "Tool", this->Executor));
+  const sbvtk::SurfaceInput& own = this->Ranks.IsParallel() ? kept.ToolPiece : kept.Tool;
+  this->Second->ShallowCopy(own.Surface());
+  sbvtk::AddBlockNames(this->Second, own.Names());
 }
 
 //------------------------------------------------------------------------------
@@ -181,19 +297,21 @@ void vtkPolyDataDistance::Run::Note(const Remark& remark)
   const bool aboutSigns = remark.Status != POINTS_NOT_FINITE;
   if (!remark.Sentence.empty() && (byNormals || !aboutSigns))
   {
-    vtkWarningWithObjectMacro(this->Filter, << remark.Sentence);
+    if (this->Ranks.IsFirst())
+    {
+      vtkWarningWithObjectMacro(this->Filter, << remark.Sentence);
+    }
     this->Gravest = this->Gravest.Sentence.empty() ? remark : this->Gravest;
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkPolyDataDistance::Run::NoteBadPoints(const sbvtk::DistanceMap& map, const std::string& name)
+void vtkPolyDataDistance::Run::NoteBadPoints(std::int64_t count)
 {
-  if (map.NumberOfBadPoints() > 0)
+  if (count > 0)
   {
     this->Note({ POINTS_NOT_FINITE,
-      name + " has points with coordinates that are not finite numbers (" +
-        std::to_string(map.NumberOfBadPoints()) +
+      "Input has points with coordinates that are not finite numbers (" + std::to_string(count) +
         "), so their Distance is NaN; remove or repair "
         "them first.",
       false });
@@ -258,19 +376,87 @@ void vtkPolyDataDistance::Run::MapInput()
       throw Stopped();
     }
   }
-  this->NoteBadPoints(map, "Input");
-  const sb::DistanceSummary summary = map.Summary();
+  this->BadPoints = map.NumberOfBadPoints();
+  this->Distances = map.TakeDistances();
+}
+
+//------------------------------------------------------------------------------
+/** A summary is one of all processes, in which a point that several of them have counts once. */
+sb::DistanceSummary vtkPolyDataDistance::Run::Summary(const std::vector<vtkDataSet*>& leaves)
+{
+  if (!this->Ranks.IsParallel())
+  {
+    return sb::Summarize(std::move(this->Distances));
+  }
+  vtkNew<vtkPolyData> places;
+  this->Alone([&] { FillPlaces(this->PointsOf(leaves), this->Distances, places); });
+  const vtkSmartPointer<vtkDataObject> all =
+    sbvtk::RankGathering(this->Ranks.GetController())
+      .Gather(places, 0, 0, sbvtk::RankGathering::Receiver::First);
+  std::vector<char> bytes;
+  this->Alone([&] {
+    if (vtkPolyData* whole = vtkPolyData::SafeDownCast(all))
+    {
+      const sb::DistanceSummary summary = sb::Summarize(DistancesOf(whole));
+      bytes.resize(sizeof summary);
+      std::memcpy(bytes.data(), &summary, sizeof summary);
+    }
+  });
+  this->Ranks.Distribute(bytes);
+  sb::DistanceSummary summary;
+  std::memcpy(&summary, bytes.data(), sizeof summary);
+  return summary;
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyDataDistance::Run::SummarizeInput()
+{
+  this->NoteBadPoints(this->Ranks.Sum(this->BadPoints));
+  const sb::DistanceSummary summary = this->Summary(this->Leaves);
   this->InputToTool = summary.LargestMagnitude;
   sbvtk::AddSummaryFields(this->First, summary);
   sbvtk::AddField(this->First, "HausdorffInputToTool", this->InputToTool);
 }
 
 //------------------------------------------------------------------------------
+/** The coordinates of all points, one data set after another. */
+std::vector<double> vtkPolyDataDistance::Run::PointsOf(const std::vector<vtkDataSet*>& leaves)
+{
+  std::vector<double> points;
+  for (vtkDataSet* leaf : leaves)
+  {
+    const sbvtk::SamplePlaces places = sbvtk::SamplePlaces::Points(leaf, this->Executor);
+    points.insert(points.end(), places.Coordinates(), places.Coordinates() + 3 * places.Count());
+  }
+  return points;
+}
+
+//------------------------------------------------------------------------------
+/** The Input of all processes; what is no surface comes as points. */
+vtkSmartPointer<vtkDataObject> vtkPolyDataDistance::Run::WholeInput()
+{
+  if (!this->Ranks.IsParallel())
+  {
+    return this->Input;
+  }
+  vtkSmartPointer<vtkDataObject> own = this->Input;
+  if (!this->Ranks.InAll(
+        std::all_of(this->Leaves.begin(), this->Leaves.end(), vtkPolyData::SafeDownCast)))
+  {
+    vtkNew<vtkPolyData> points;
+    this->Alone([&] { FillPlaces(this->PointsOf(this->Leaves), {}, points); });
+    own = points;
+  }
+  return this->Ranks.Gather(own, 0, 0, sbvtk::RankGathering::Receiver::All);
+}
+
+//------------------------------------------------------------------------------
 /** The Input as something to measure distances to: its polygons, or else its points. */
-void vtkPolyDataDistance::Run::PrepareInput()
+void vtkPolyDataDistance::Run::PrepareInput(vtkDataObject* whole)
 {
   Cache& kept = *this->Filter->Kept;
-  if (kept.Input.Read(this->Input, this->Executor).empty())
+  std::vector<vtkDataSet*> leaves = this->Leaves;
+  if (kept.Input.Read(whole, this->Executor).empty())
   {
     vtkPolyData* surface = kept.Input.Surface();
     if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0)
@@ -278,33 +464,27 @@ void vtkPolyDataDistance::Run::PrepareInput()
       this->Note(kept.InputSurface.Prepare(surface, "Input", this->Executor));
       return;
     }
+    leaves = { surface };
   }
-  std::vector<double> points;
-  for (vtkDataSet* leaf : this->Leaves)
-  {
-    const sbvtk::SamplePlaces places = sbvtk::SamplePlaces::Points(leaf, this->Executor);
-    points.insert(points.end(), places.Coordinates(), places.Coordinates() + 3 * places.Count());
-  }
-  this->Note(kept.InputSurface.PreparePoints(std::move(points), "Input", this->Executor));
+  this->Note(kept.InputSurface.PreparePoints(this->PointsOf(leaves), "Input", this->Executor));
 }
 
 //------------------------------------------------------------------------------
 void vtkPolyDataDistance::Run::MapTool()
 {
-  this->Second->ShallowCopy(this->Filter->Kept->Tool.Surface());
-  sbvtk::AddBlockNames(this->Second, this->Filter->Kept->Tool.Names());
-  if (!this->Filter->ComputeSecondDistance)
-  {
-    return;
-  }
-  this->PrepareInput();
   sbvtk::KernelMonitor monitor(this->Filter, 0.6, 0.95);
   sbvtk::DistanceMap map(this->Filter->Kept->InputSurface, this->Options());
   if (!map.AddTo(this->Second, this->Executor, monitor))
   {
     throw Stopped();
   }
-  const sb::DistanceSummary summary = map.Summary();
+  this->Distances = map.TakeDistances();
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyDataDistance::Run::SummarizeTool()
+{
+  const sb::DistanceSummary summary = this->Summary({ this->Second });
   sbvtk::AddSummaryFields(this->Second, summary);
   for (vtkDataObject* output : { this->First, static_cast<vtkDataObject*>(this->Second) })
   {
@@ -312,6 +492,25 @@ void vtkPolyDataDistance::Run::MapTool()
     sbvtk::AddField(output, "HausdorffToolToInput", summary.LargestMagnitude);
     sbvtk::AddField(
       output, "HausdorffDistance", std::max(this->InputToTool, summary.LargestMagnitude));
+  }
+}
+
+//------------------------------------------------------------------------------
+/** A filter downstream that wants all of a surface in the first process gets it there. Else each
+ * process has what it had, and the arrays of the others where it has no point. */
+void vtkPolyDataDistance::Run::BringTogether()
+{
+  for (int port = 0; this->Ranks.IsParallel() && port < 2; ++port)
+  {
+    vtkInformation* output = this->Outputs->GetInformationObject(port);
+    if (vtkPolyData* surface = vtkPolyData::GetData(output))
+    {
+      using Pipeline = vtkStreamingDemandDrivenPipeline;
+      const int pieces = output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES());
+      this->Ranks.InAll(!this->Ranks.IsFirst() || pieces == 1)
+        ? this->Ranks.MoveToFirst(surface)
+        : this->Ranks.ShareArraysWithEmpty(surface);
+    }
   }
 }
 
@@ -324,7 +523,7 @@ void vtkPolyDataDistance::Run::Fail(const Remark& failure)
     sbvtk::AddField(output, "Status", failure.Status);
     sbvtk::AddField(output, "Message", failure.Sentence);
   }
-  if (failure.Status != static_cast<int>(sb::Status::Aborted))
+  if (this->Ranks.IsFirst() && failure.Status != static_cast<int>(sb::Status::Aborted))
   {
     vtkErrorWithObjectMacro(this->Filter, << failure.Sentence);
   }
@@ -398,6 +597,30 @@ int vtkPolyDataDistance::RequestInformation(
 {
   sbvtk::UniteTimeSteps(inputs, this->GetNumberOfInputPorts(), outputs);
   return this->Superclass::RequestInformation(request, inputs, outputs);
+}
+
+//------------------------------------------------------------------------------
+int vtkPolyDataDistance::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  this->Kept->Ranks.RequestPieces(inputs, this->GetNumberOfInputPorts());
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyDataDistance::SetController(vtkMultiProcessController* controller)
+{
+  if (controller != this->GetController())
+  {
+    this->Kept->Ranks.SetController(controller);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkPolyDataDistance::GetController()
+{
+  return this->Kept->Ranks.GetController();
 }
 
 //------------------------------------------------------------------------------

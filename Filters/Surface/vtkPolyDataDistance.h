@@ -37,6 +37,11 @@
  * About a microsecond of processor time a triangle of the Tool to prepare it, which is kept until
  * the Tool changes, and one to four microseconds a point at a million triangles. 110 bytes a
  * triangle of the Tool, and some 40 bytes a point, 8 of which stay.
+ *
+ * @par Parallel servers
+ * Input and Tool stay where they are: each process has the whole Tool (with ComputeSecondDistance
+ * the whole Input, too) and measures its own piece. Cells of the Tool count through all pieces, in
+ * the order of the processes. For the summary the first process gets all points, 32 bytes each.
  */
 #ifndef vtkPolyDataDistance_h
 #define vtkPolyDataDistance_h
@@ -45,6 +50,8 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
+
+class vtkMultiProcessController;
 
 class SBSURFACE_EXPORT vtkPolyDataDistance : public vtkPolyDataAlgorithm
 {
@@ -154,6 +161,15 @@ public:
   void SetToolConnection(vtkAlgorithmOutput* tool) { this->SetInputConnection(1, tool); }
   ///@}
 
+  ///@{
+  /**
+   * The processes that share the data; by default those of ParaView's server. All of them have to
+   * update the filter. Null: the filter works for this process alone.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
   int ProcessRequest(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -164,6 +180,8 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;

@@ -351,13 +351,10 @@ int vtkPolyDataIntersection::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
-int vtkPolyDataIntersection::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+void vtkPolyDataIntersection::ComputeWhole(
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   sbvtk::RunWithThreads(this->NumberOfThreads, [&] { Run(this, inputs, outputs).Execute(); });
-  this->SetAbortOutput(
-    false); // a run that was stopped says so in its field data, which the pipeline would clear
-  return 1;
 }
 
 //------------------------------------------------------------------------------

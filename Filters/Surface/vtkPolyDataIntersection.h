@@ -52,15 +52,15 @@
 #define vtkPolyDataIntersection_h
 
 #include "sbSurfaceModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkWholePolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
 
-class SBSURFACE_EXPORT vtkPolyDataIntersection : public vtkPolyDataAlgorithm
+class SBSURFACE_EXPORT vtkPolyDataIntersection : public vtkWholePolyDataAlgorithm
 {
 public:
   static vtkPolyDataIntersection* New();
-  vtkTypeMacro(vtkPolyDataIntersection, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkPolyDataIntersection, vtkWholePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** Values of the field array `Status` beside those of the kernel (sb::Status in
@@ -124,8 +124,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void ComputeWhole(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkPolyDataIntersection(const vtkPolyDataIntersection&) = delete;

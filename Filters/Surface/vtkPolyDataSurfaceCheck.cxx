@@ -322,13 +322,10 @@ int vtkPolyDataSurfaceCheck::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-int vtkPolyDataSurfaceCheck::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+void vtkPolyDataSurfaceCheck::ComputeWhole(
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   sbvtk::RunWithThreads(this->NumberOfThreads, [&] { Run(this, inputs, outputs).Execute(); });
-  this->SetAbortOutput(
-    false); // a run that was stopped says so in its field data, which the pipeline would clear
-  return 1;
 }
 
 //------------------------------------------------------------------------------

@@ -54,15 +54,15 @@
 #define vtkPolyDataSurfaceCheck_h
 
 #include "sbSurfaceModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkWholePolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
 
-class SBSURFACE_EXPORT vtkPolyDataSurfaceCheck : public vtkPolyDataAlgorithm
+class SBSURFACE_EXPORT vtkPolyDataSurfaceCheck : public vtkWholePolyDataAlgorithm
 {
 public:
   static vtkPolyDataSurfaceCheck* New();
-  vtkTypeMacro(vtkPolyDataSurfaceCheck, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkPolyDataSurfaceCheck, vtkWholePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** Values of the field array `Status` beside those of the kernel (sb::Status in
@@ -97,8 +97,7 @@ protected:
   ~vtkPolyDataSurfaceCheck() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  void ComputeWhole(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkPolyDataSurfaceCheck(const vtkPolyDataSurfaceCheck&) = delete;

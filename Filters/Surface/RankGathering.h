@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RankGathering.h
+ * @brief What the processes of a parallel server have of a filter's inputs, brought together.
+ *
+ * Each process of a server has a piece of every data set. A surface's inside is a matter of all of
+ * it, so a filter needs the pieces of all processes. Everything here is to be called by all
+ * processes, in the same order; what goes wrong in one is thrown in all, so that none waits for
+ * another for ever. Without a controller, or with one process, inputs are passed on as they are.
+ */
+#ifndef RankGathering_h
+#define RankGathering_h
+
+#include "PiecePacking.h"
+#include "sbSurfaceModule.h" // for the export macro
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <functional>
+#include <map>
+#include <utility>
+#include <vector>
+
+class vtkDataObject;
+class vtkInformationVector;
+class vtkMultiProcessController;
+
+namespace sbvtk
+{
+
+/** The inputs of a filter as its RequestData has them. */
+class WholeInputs
+{
+public:
+  vtkInformationVector** Ports() { return this->Pointers.data(); }
+
+private:
+  friend class RankGathering;
+  std::vector<vtkSmartPointer<vtkInformationVector>> Vectors;
+  std::vector<vtkInformationVector*> Pointers;
+};
+
+class SBSURFACE_EXPORT RankGathering
+{
+public:
+  /** Who has the whole after Gather. */
+  enum class Receiver
+  {
+    First,
+    All
+  };
+
+  /** Of the processes of ParaView's server. */
+  RankGathering();
+  explicit RankGathering(vtkMultiProcessController* controller);
+  ~RankGathering();
+  RankGathering(const RankGathering&) = delete;
+  void operator=(const RankGathering&) = delete;
+
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const { return this->Controller; }
+  bool IsParallel() const;
+  bool IsFirst() const { return this->Rank() == 0; }
+  int Rank() const;
+  int NumberOfRanks() const;
+
+  /**
+   * Ask all inputs for the piece of this process, without ghosts, whatever is asked for downstream:
+   * filters such as Clean ask the first process for everything and the others for nothing, which
+   * not every source follows.
+   */
+  void RequestPieces(vtkInformationVector** inputs, int numberOfPorts) const;
+
+  /**
+   * The data object of one connection, whole: of the receivers; the others get null. Blocks of
+   * composite data are put together block by block. What did not change in any process since the
+   * last call with the same port and connection is not sent again.
+   * @throw std::bad_alloc in all processes if it does not fit into the memory of one
+   */
+  vtkSmartPointer<vtkDataObject> Gather(
+    vtkDataObject* own, int port, int connection, Receiver receiver);
+
+  /** The inputs for the first process, with all of their pieces. */
+  WholeInputs Gather(vtkInformationVector** inputs, int numberOfPorts);
+
+  /** Let the outputs of all other processes have the arrays and field data of the first one's, and
+   * no points and cells. */
+  void ShareArrays(vtkInformationVector* outputs) const;
+
+  /** Let the first process have a surface's pieces of all processes, and the others its arrays. */
+  void MoveToFirst(vtkPolyData* surface);
+
+  /** Let the processes that have no points of a surface have the arrays of the first one that has
+   * any. */
+  void ShareArraysWithEmpty(vtkPolyData* surface) const;
+
+  /** What each process gives: for the first one, the others get nothing. */
+  std::vector<std::vector<char>> Collect(const std::vector<char>& bytes) const;
+
+  /** What the first process gives, for all. */
+  void Distribute(std::vector<char>& bytes) const;
+
+  /** Whether it is true in all processes. */
+  bool InAll(bool condition) const;
+
+  /** Of the values of all processes. */
+  std::int64_t Sum(std::int64_t value) const;
+
+private:
+  struct Kept
+  {
+    std::vector<vtkMTimeType> Stamp; ///< of this process's piece
+    vtkSmartPointer<vtkDataObject> Whole;
+  };
+
+  void ShareArrays(const std::vector<Piece>& pieces) const;
+
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+  std::map<std::pair<int, int>, Kept> Connections;
+};
+
+} // namespace sbvtk
+
+#endif

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkWholePolyDataAlgorithm.h"
+
+#include "FieldArrays.h"
+#include "RankGathering.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <exception>
+#include <new>
+
+namespace
+{
+
+/** The Status of this name in all filters. */
+constexpr int OUT_OF_MEMORY = 22;
+
+void Empty(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject::GetData(outputs, port)->Initialize();
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkWholePolyDataAlgorithm::vtkWholePolyDataAlgorithm()
+  : Ranks(new sbvtk::RankGathering)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkWholePolyDataAlgorithm::~vtkWholePolyDataAlgorithm() = default;
+
+//------------------------------------------------------------------------------
+void vtkWholePolyDataAlgorithm::SetController(vtkMultiProcessController* controller)
+{
+  if (controller != this->GetController())
+  {
+    this->Ranks->SetController(controller);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkWholePolyDataAlgorithm::GetController()
+{
+  return this->Ranks->GetController();
+}
+
+//------------------------------------------------------------------------------
+int vtkWholePolyDataAlgorithm::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  this->Ranks->RequestPieces(inputs, this->GetNumberOfInputPorts());
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkWholePolyDataAlgorithm::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (this->Ranks->IsParallel())
+  {
+    this->ComputeOnFirst(inputs, outputs);
+  }
+  else if (outputs->GetInformationObject(0)->Get(Pipeline::UPDATE_PIECE_NUMBER()) == 0)
+  {
+    this->ComputeWhole(inputs, outputs);
+  }
+  // else: who streams piece by piece gets all in the first one
+  // A run that was stopped says so in its field data, which the pipeline would clear.
+  this->SetAbortOutput(false);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkWholePolyDataAlgorithm::ComputeOnFirst(
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  try
+  {
+    sbvtk::WholeInputs whole = this->Ranks->Gather(inputs, this->GetNumberOfInputPorts());
+    std::exception_ptr failure;
+    Empty(outputs);
+    if (this->Ranks->IsFirst())
+    {
+      try
+      {
+        this->ComputeWhole(whole.Ports(), outputs);
+      }
+      catch (...)
+      {
+        failure = std::current_exception();
+        Empty(outputs);
+      }
+    }
+    this->Ranks->ShareArrays(outputs);
+    if (failure)
+    {
+      std::rethrow_exception(failure);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    const std::string sentence =
+      "The pieces of the inputs do not fit into the memory of the first process of the server; "
+      "decimate the inputs first, or give that process more memory.";
+    Empty(outputs);
+    for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+    {
+      sbvtk::AddField(vtkDataObject::GetData(outputs, port), "Status", OUT_OF_MEMORY);
+      sbvtk::AddField(vtkDataObject::GetData(outputs, port), "Message", sentence);
+    }
+    if (this->Ranks->IsFirst())
+    {
+      vtkErrorMacro(<< sentence);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkWholePolyDataAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Controller: " << this->GetController() << "\n";
+}
