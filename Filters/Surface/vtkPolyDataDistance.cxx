@@ -279,8 +279,9 @@ void vtkPolyDataDistance::Run::ReadTool(vtkDataObject* whole)
     throw Remark{ NOT_A_SURFACE, "Tool " + refusal, true };
   }
   this->Note(kept.ToolSurface.Prepare(kept.Tool.Surface(), "Tool", this->Executor));
-  this->Second->ShallowCopy((this->Ranks.IsParallel() ? kept.ToolPiece : kept.Tool).Surface());
-  sbvtk::AddBlockNames(this->Second, kept.Tool.Names());
+  const sbvtk::SurfaceInput& own = this->Ranks.IsParallel() ? kept.ToolPiece : kept.Tool;
+  this->Second->ShallowCopy(own.Surface());
+  sbvtk::AddBlockNames(this->Second, own.Names());
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,8 @@ set -e
 script=$1
 folder=$2
 mkdir -p "$folder"
+# Scripts import what the other tests have.
+export SURFACEBOOLEANS_TESTS=${0%/*}/..
 status=0
 # -noreset: the server would else restart when its first client leaves, and lose the next one.
 xvfb-run -a -s "-screen 0 1400x1000x24 -noreset" \
