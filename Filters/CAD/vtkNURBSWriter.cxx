@@ -6,19 +6,27 @@
 #include "CADSession.h"
 #include "DesignedInput.h"
 #include "KernelExecutor.h"
+#include "RankGathering.h"
 #include "TrimmedFaces.h"
 
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <new>
 #include <string>
 
 vtkStandardNewMacro(vtkNURBSWriter);
 
 //------------------------------------------------------------------------------
-vtkNURBSWriter::vtkNURBSWriter() = default;
+vtkNURBSWriter::vtkNURBSWriter()
+  : Ranks(new sbvtk::RankGathering)
+{
+}
 
 //------------------------------------------------------------------------------
 vtkNURBSWriter::~vtkNURBSWriter() { delete[] this->FileName; }
@@ -39,9 +47,53 @@ void vtkNURBSWriter::Refuse(unsigned long error, const std::string& sentence)
 }
 
 //------------------------------------------------------------------------------
+void vtkNURBSWriter::SetController(vtkMultiProcessController* controller)
+{
+  if (controller != this->GetController())
+  {
+    this->Ranks->SetController(controller);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkNURBSWriter::GetController() { return this->Ranks->GetController(); }
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkNURBSWriter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    this->Ranks->RequestPieces(inputs, this->GetNumberOfInputPorts());
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+//------------------------------------------------------------------------------
 void vtkNURBSWriter::WriteData()
 {
   this->NumberOfFaces = this->NumberOfSolids = this->NumberOfOpenShells = 0;
+  try
+  {
+    const vtkSmartPointer<vtkDataObject> whole =
+      this->Ranks->Gather(this->GetInput(), 0, 0, sbvtk::RankGathering::Receiver::First);
+    if (this->Ranks->IsFirst())
+    {
+      this->WriteWhole(whole);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Refuse(
+      vtkErrorCode::UserError, "The facets do not fit into memory; write fewer at a time.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkNURBSWriter::WriteWhole(vtkDataObject* data)
+{
   if (!this->FileName || !*this->FileName)
   {
     this->Refuse(vtkErrorCode::NoFileNameError, "There is no file to write; set FileName.");
@@ -49,8 +101,7 @@ void vtkNURBSWriter::WriteData()
   }
   sbvtk::KernelExecutor executor;
   sbvtk::DesignedInput input;
-  const std::string refusal =
-    input.Read(this->GetInput(), executor, sbvtk::DesignedInput::Patchless::Keep);
+  const std::string refusal = input.Read(data, executor, sbvtk::DesignedInput::Patchless::Keep);
   if (!refusal.empty())
   {
     this->Refuse(vtkErrorCode::UserError, "Input " + refusal);

@@ -20,7 +20,15 @@
 #include "sbCADModule.h" // for the export macro
 #include "vtkWriter.h"
 
+#include <memory> // for std::unique_ptr
 #include <string> // for sentences
+
+class vtkMultiProcessController;
+
+namespace sbvtk
+{
+class RankGathering;
+}
 
 class SBCAD_EXPORT vtkNURBSWriter : public vtkWriter
 {
@@ -42,6 +50,18 @@ public:
   vtkGetMacro(NumberOfOpenShells, int);
   ///@}
 
+  ///@{
+  /**
+   * The processes that share the Input; by default those of ParaView's server. All of them have to
+   * call Write(), and the first one writes what all of them have. Null: this process alone.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
 protected:
   vtkNURBSWriter();
   ~vtkNURBSWriter() override;
@@ -53,8 +73,10 @@ private:
   vtkNURBSWriter(const vtkNURBSWriter&) = delete;
   void operator=(const vtkNURBSWriter&) = delete;
 
+  void WriteWhole(vtkDataObject* data);
   void Refuse(unsigned long error, const std::string& sentence);
 
+  std::unique_ptr<sbvtk::RankGathering> Ranks;
   char* FileName = nullptr;
   int NumberOfFaces = 0;
   int NumberOfSolids = 0;

@@ -8,13 +8,16 @@
 #include "DistanceSurface.h"
 #include "FieldArrays.h"
 #include "KernelExecutor.h"
+#include "RankGathering.h"
 #include "SurfaceInput.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -34,6 +37,9 @@ vtkStandardNewMacro(vtkPolyDataDistanceField);
 /** What is kept from one update to the next. */
 struct vtkPolyDataDistanceField::Cache
 {
+  sbvtk::RankGathering Ranks;
+  std::pair<vtkMTimeType, double> Stamp; ///< of the pipeline, when Whole was gathered
+  vtkSmartPointer<vtkDataObject> Whole;
   sbvtk::SurfaceInput Input;
   sbvtk::DistanceSurface Surface;
 };
@@ -42,10 +48,10 @@ struct vtkPolyDataDistanceField::Cache
 class vtkPolyDataDistanceField::Run
 {
 public:
-  Run(vtkPolyDataDistanceField* filter, vtkInformation* input, vtkImageData* image,
+  Run(vtkPolyDataDistanceField* filter, vtkInformationVector** inputs, vtkImageData* image,
     vtkInformation* output)
     : Filter(filter)
-    , Input(input ? vtkDataObject::GetData(input) : nullptr)
+    , Inputs(inputs)
     , Image(image)
     , Output(output)
   {
@@ -62,16 +68,19 @@ private:
   void CheckSettings() const;
   void ReadInput();
   void PlaceImage();
+  void TakeOwnPart();
   void Sample();
   void SampleSlices(int firstSlice, int lastSlice, float* target, sb::Monitor& monitor);
   void Finish(const Remark& remark);
 
   vtkPolyDataDistanceField* Filter;
-  vtkDataObject* Input;
+  vtkInformationVector** Inputs;
+  vtkDataObject* Input = nullptr;
   vtkImageData* Image;
   vtkInformation* Output;
   sbvtk::KernelExecutor Executor;
   Remark Gravest;
+  int WholeExtent[6]{ 0, 0, 0, 0, 0, 0 };
 };
 
 //------------------------------------------------------------------------------
@@ -79,9 +88,11 @@ void vtkPolyDataDistanceField::Run::Execute()
 {
   try
   {
+    this->Input = this->Filter->WholeInput(this->Inputs);
     this->CheckSettings();
     this->ReadInput();
     this->PlaceImage();
+    this->TakeOwnPart();
     this->Sample();
     this->Finish(this->Gravest);
   }
@@ -102,6 +113,7 @@ std::array<int, 3> vtkPolyDataDistanceField::Run::Foresee()
   std::array<int, 3> dimensions{ 1, 1, 1 };
   try
   {
+    this->Input = this->Filter->WholeInput(this->Inputs);
     this->CheckSettings();
     this->ReadInput();
     this->PlaceImage();
@@ -215,6 +227,24 @@ void vtkPolyDataDistanceField::Run::PlaceImage()
 }
 
 //------------------------------------------------------------------------------
+/** Each of several processes makes the part of the image that it is asked for. */
+void vtkPolyDataDistanceField::Run::TakeOwnPart()
+{
+  this->Image->GetExtent(this->WholeExtent);
+  if (this->Filter->Kept->Ranks.IsParallel())
+  {
+    int extent[6];
+    this->Output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+    for (int side = 0; side < 6; side += 2)
+    {
+      extent[side] = std::max(extent[side], this->WholeExtent[side]);
+      extent[side + 1] = std::min(extent[side + 1], this->WholeExtent[side + 1]);
+    }
+    this->Image->SetExtent(extent);
+  }
+}
+
+//------------------------------------------------------------------------------
 /** A few slices at a time, so that the samples' coordinates need little memory. */
 void vtkPolyDataDistanceField::Run::Sample()
 {
@@ -223,7 +253,7 @@ void vtkPolyDataDistanceField::Run::Sample()
   distances->SetNumberOfTuples(this->Image->GetNumberOfPoints());
   int dimensions[3];
   this->Image->GetDimensions(dimensions);
-  const std::int64_t slice = std::int64_t(dimensions[0]) * dimensions[1];
+  const std::int64_t slice = std::max(std::int64_t(1), std::int64_t(dimensions[0]) * dimensions[1]);
   const int slices = static_cast<int>(std::max<std::int64_t>(1, (std::int64_t(1) << 21) / slice));
   for (int first = 0; first < dimensions[2]; first += slices)
   {
@@ -243,6 +273,7 @@ void vtkPolyDataDistanceField::Run::SampleSlices(
   this->Image->GetDimensions(dimensions);
   const double* origin = this->Image->GetOrigin();
   const double* spacing = this->Image->GetSpacing();
+  const int* extent = this->Image->GetExtent();
   const std::int64_t rows = std::int64_t(lastSlice - firstSlice) * dimensions[1];
   const std::int64_t count = rows * dimensions[0];
   std::vector<double> places(3 * count);
@@ -253,9 +284,11 @@ void vtkPolyDataDistanceField::Run::SampleSlices(
       double* place = places.data() + 3 * row * dimensions[0];
       for (int i = 0; i < dimensions[0]; ++i, place += 3)
       {
-        place[0] = origin[0] + i * spacing[0];
-        place[1] = origin[1] + static_cast<double>(row % dimensions[1]) * spacing[1];
-        place[2] = origin[2] + (firstSlice + static_cast<double>(row / dimensions[1])) * spacing[2];
+        const std::int64_t j = extent[2] + row % dimensions[1];
+        const std::int64_t k = extent[4] + firstSlice + row / dimensions[1];
+        place[0] = origin[0] + (extent[0] + i) * spacing[0];
+        place[1] = origin[1] + static_cast<double>(j) * spacing[1];
+        place[2] = origin[2] + static_cast<double>(k) * spacing[2];
       }
     }
   });
@@ -292,7 +325,13 @@ void vtkPolyDataDistanceField::Run::Finish(const Remark& remark)
   sbvtk::AddField(this->Image, "Status", remark.Status);
   sbvtk::AddField(this->Image, "Message",
     remark.Sentence.empty() ? std::string("The result is complete.") : remark.Sentence);
-  this->Output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), this->Image->GetExtent(), 6);
+  this->Output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(),
+    remark.IsError ? this->Image->GetExtent() : this->WholeExtent, 6);
+  const bool isOfAll = remark.Status != sbvtk::DistanceSurface::OUT_OF_MEMORY;
+  if (isOfAll && !this->Filter->Kept->Ranks.IsFirst())
+  {
+    return; // the first process tells it
+  }
   if (remark.IsError && remark.Status != static_cast<int>(sb::Status::Aborted))
   {
     vtkErrorWithObjectMacro(this->Filter, << remark.Sentence);
@@ -331,11 +370,11 @@ int vtkPolyDataDistanceField::RequestInformation(
     std::max(1, this->Dimensions[2]) };
   if (this->SampleBy == VTK_SPACING && this->GetNumberOfInputConnections(0) > 0)
   {
+    this->Kept->Ranks.RequestPieces(inputs, 1);
     this->GetInputAlgorithm()->Update(this->GetInputConnection(0, 0)->GetIndex());
     vtkNew<vtkImageData> scratch;
-    sbvtk::RunWithThreads(this->NumberOfThreads, [&] {
-      dimensions = Run(this, inputs[0]->GetInformationObject(0), scratch, nullptr).Foresee();
-    });
+    sbvtk::RunWithThreads(
+      this->NumberOfThreads, [&] { dimensions = Run(this, inputs, scratch, nullptr).Foresee(); });
   }
   const int extent[6] = { 0, dimensions[0] - 1, 0, dimensions[1] - 1, 0, dimensions[2] - 1 };
   vtkInformation* output = outputs->GetInformationObject(0);
@@ -345,12 +384,64 @@ int vtkPolyDataDistanceField::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
+/**
+ * The surface of all processes, for each of them. They come
+ * together only when the pipeline or the time has changed, which all of them notice: another extent
+ * may be asked for in one process alone.
+ */
+vtkDataObject* vtkPolyDataDistanceField::WholeInput(vtkInformationVector** inputs)
+{
+  Cache& kept = *this->Kept;
+  vtkDataObject* own = vtkDataObject::GetData(inputs[0], 0);
+  if (!kept.Ranks.IsParallel())
+  {
+    return own;
+  }
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* time = inputs[0]->GetInformationObject(0);
+  const std::pair<vtkMTimeType, double> stamp{
+    Pipeline::SafeDownCast(this->GetExecutive())->GetPipelineMTime(),
+    time && time->Has(Pipeline::UPDATE_TIME_STEP()) ? time->Get(Pipeline::UPDATE_TIME_STEP()) : 0.0
+  };
+  if (stamp != kept.Stamp)
+  {
+    kept.Whole = nullptr;
+    kept.Whole = kept.Ranks.Gather(own, 0, 0, sbvtk::RankGathering::Receiver::All);
+    kept.Stamp = stamp;
+  }
+  return kept.Whole;
+}
+
+//------------------------------------------------------------------------------
+int vtkPolyDataDistanceField::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  this->Kept->Ranks.RequestPieces(inputs, 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyDataDistanceField::SetController(vtkMultiProcessController* controller)
+{
+  if (controller != this->GetController())
+  {
+    this->Kept->Ranks.SetController(controller);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkPolyDataDistanceField::GetController()
+{
+  return this->Kept->Ranks.GetController();
+}
+
+//------------------------------------------------------------------------------
 int vtkPolyDataDistanceField::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   sbvtk::RunWithThreads(this->NumberOfThreads, [&] {
-    Run(this, inputs[0]->GetInformationObject(0), vtkImageData::GetData(outputs, 0),
-      outputs->GetInformationObject(0))
+    Run(this, inputs, vtkImageData::GetData(outputs, 0), outputs->GetInformationObject(0))
       .Execute();
   });
   this->SetAbortOutput(

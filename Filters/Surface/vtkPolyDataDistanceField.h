@@ -29,6 +29,8 @@
 
 #include <memory> // for std::unique_ptr
 
+class vtkMultiProcessController;
+
 class SBSURFACE_EXPORT vtkPolyDataDistanceField : public vtkImageAlgorithm
 {
 public:
@@ -103,12 +105,23 @@ public:
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
+  ///@{
+  /**
+   * The processes that share the data; by default those of ParaView's server. All of them have to
+   * update the filter. Null: the filter works for this process alone.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
 protected:
   vtkPolyDataDistanceField();
   ~vtkPolyDataDistanceField() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
@@ -119,6 +132,8 @@ private:
 
   class Run;
   struct Cache;
+
+  vtkDataObject* WholeInput(vtkInformationVector** inputs);
 
   int SampleBy = VTK_DIMENSIONS;
   int Dimensions[3] = { 64, 64, 64 };

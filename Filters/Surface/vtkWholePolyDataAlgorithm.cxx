@@ -5,6 +5,7 @@
 #include "FieldArrays.h"
 #include "RankGathering.h"
 
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
@@ -25,6 +26,15 @@ void Empty(vtkInformationVector* outputs)
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {
     vtkDataObject::GetData(outputs, port)->Initialize();
+  }
+}
+
+/** As the pipeline does with the piece of this process. */
+void PassFieldData(vtkDataObject* first, vtkInformationVector* outputs)
+{
+  for (int port = 0; first && port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject::GetData(outputs, port)->GetFieldData()->PassData(first->GetFieldData());
   }
 }
 
@@ -53,6 +63,19 @@ void vtkWholePolyDataAlgorithm::SetController(vtkMultiProcessController* control
 vtkMultiProcessController* vtkWholePolyDataAlgorithm::GetController()
 {
   return this->Ranks->GetController();
+}
+
+//------------------------------------------------------------------------------
+/** Without this the pipeline would run a reader in the first process alone, where it would wait for
+ * the others. */
+int vtkWholePolyDataAlgorithm::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    outputs->GetInformationObject(port)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  }
+  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -95,6 +118,10 @@ void vtkWholePolyDataAlgorithm::ComputeOnFirst(
     {
       try
       {
+        if (this->GetNumberOfInputPorts() > 0)
+        {
+          PassFieldData(vtkDataObject::GetData(whole.Ports()[0], 0), outputs);
+        }
         this->ComputeWhole(whole.Ports(), outputs);
       }
       catch (...)

@@ -46,6 +46,8 @@ protected:
   vtkWholePolyDataAlgorithm();
   ~vtkWholePolyDataAlgorithm() override;
 
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   int RequestData(

@@ -59,6 +59,8 @@ def update(algorithm, progress=False, work=None):
     def listen(_, event, text):
         heard[event].append(_sentence(text))
 
+    if hasattr(algorithm, "SetController"):
+        algorithm.SetController(None)  # a script in one process of several does not wait for the others
     for watched in (algorithm, algorithm.GetExecutive()):
         for event in heard:
             watched.AddObserver(event, listen)
