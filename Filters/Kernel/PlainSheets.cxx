@@ -24,9 +24,9 @@ PlainSheets::PlainSheets(const TriangleRuns& runs, const Scene& scene,
   , Corners(corners)
   , Edges(edges)
   , Threads(executor)
-  , Views(std::size_t(runs.Tree().Size()))
-  , Tried(std::size_t(runs.Tree().Size()))
-  , Sheets(std::size_t(runs.Tree().Size()), -1)
+  , Views(std::size_t(runs.Count()))
+  , Tried(std::size_t(runs.Count()))
+  , Sheets(std::size_t(runs.Count()), -1)
 {
   this->ChooseViews();
   for (std::int32_t level = runs.Tree().NumberOfLevels() - 1; level >= 0; --level)
@@ -39,7 +39,7 @@ PlainSheets::PlainSheets(const TriangleRuns& runs, const Scene& scene,
 template <class Visit>
 void PlainSheets::ForEachRun(Visit&& visit)
 {
-  this->Threads.For(this->Runs.Tree().Size(), Grain, [&](std::int64_t begin, std::int64_t end) {
+  this->Threads.For(this->Runs.Count(), Grain, [&](std::int64_t begin, std::int64_t end) {
     for (auto place = static_cast<std::int32_t>(begin); place < end; ++place)
     {
       visit(place);
@@ -52,7 +52,7 @@ template <class Visit>
 void PlainSheets::ForEachHalfEdge(std::int32_t place, Visit&& visit) const
 {
   const std::int32_t* faces = this->Runs.FacesOf(place);
-  const std::int32_t count = this->Runs.NumberOfFaces(place);
+  const std::int32_t count = this->Runs[place].Size;
   for (std::int32_t i = 0; i < count; ++i)
   {
     for (HalfEdge half = 3 * faces[i]; half < 3 * faces[i] + 3; ++half)
@@ -67,17 +67,17 @@ void PlainSheets::ForEachHalfEdge(std::int32_t place, Visit&& visit) const
  * agree; else each run of the group for itself. */
 void PlainSheets::ChooseViews()
 {
-  const std::int32_t count = this->Runs.Tree().Size();
+  const std::int32_t count = this->Runs.Count();
   const auto best = [this](std::int32_t begin, std::int32_t end) {
     unsigned views = (1u << NumberOfViews) - 1;
     std::array<double, NumberOfViews> sums{};
     for (std::int32_t place = begin; place < end; ++place)
     {
-      views &= this->Runs.ViewsOf(place);
+      views &= this->Runs[place].Views;
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        sums[2 * axis] += this->Runs.NormalOf(place)[axis];
-        sums[2 * axis + 1] -= this->Runs.NormalOf(place)[axis];
+        sums[2 * axis] += this->Runs[place].Normal[axis];
+        sums[2 * axis + 1] -= this->Runs[place].Normal[axis];
       }
     }
     int view = -1;
@@ -120,7 +120,7 @@ void PlainSheets::JoinRuns(std::int32_t level)
     return this->Sheets[std::size_t(place)] < 0 && this->Views[std::size_t(place)] >= 0;
   };
   const int shift = 3 * (level + 1); // from runs to nodes
-  DisjointSets sets(this->Runs.Tree().Size());
+  DisjointSets sets(this->Runs.Count());
   for (std::int32_t place = 0; place < sets.Size(); ++place)
   {
     if (!isOpen(place))
@@ -145,7 +145,7 @@ void PlainSheets::JoinRuns(std::int32_t level)
 /** By sheet. */
 std::vector<PlainSheets::Border> PlainSheets::ListBorders()
 {
-  const std::int64_t count = this->Runs.Tree().Size();
+  const std::int64_t count = this->Runs.Count();
   std::vector<std::vector<Border>> parts(std::size_t((count + Grain - 1) / Grain));
   this->Threads.For(
     static_cast<std::int64_t>(parts.size()), 1, [&](std::int64_t begin, std::int64_t end) {

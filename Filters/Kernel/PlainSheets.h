@@ -14,6 +14,7 @@
 
 #include "Executor.h"
 #include "MeshEdges.h"
+#include "PatchOutline.h"
 #include "TriangleRuns.h"
 
 #include <cstdint>
