@@ -29,6 +29,7 @@ PlainSheets::PlainSheets(const TriangleRuns& runs, const Scene& scene,
   , Sheets(std::size_t(runs.Count()), -1)
 {
   this->ChooseViews();
+  this->FindNeighbours();
   for (std::int32_t level = runs.Tree().NumberOfLevels() - 1; level >= 0; --level)
   {
     this->TryParts(level);
@@ -61,6 +62,42 @@ void PlainSheets::ForEachHalfEdge(std::int32_t place, Visit&& visit) const
       visit(half, mate < 0 ? -1 : this->Runs.PlaceOf(mate / 3));
     }
   }
+}
+
+/** Whether a test holds for all runs beside a run. */
+template <class Test>
+bool PlainSheets::AllNeighbours(std::int32_t place, Test&& test) const
+{
+  const NeighbourList& list = this->Neighbours[std::size_t(place / Grain)];
+  const std::int64_t i = place % Grain;
+  const auto begin = list.Places.begin() + (i == 0 ? 0 : list.Ends[std::size_t(i - 1)]);
+  return std::all_of(begin, list.Places.begin() + list.Ends[std::size_t(i)], test);
+}
+
+void PlainSheets::FindNeighbours()
+{
+  const std::int64_t count = this->Runs.Count();
+  this->Neighbours.resize(std::size_t((count + Grain - 1) / Grain));
+  this->Threads.For(static_cast<std::int64_t>(this->Neighbours.size()), 1,
+    [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t part = begin; part < end; ++part)
+      {
+        NeighbourList& list = this->Neighbours[std::size_t(part)];
+        const std::int64_t last = std::min(count, (part + 1) * Grain);
+        for (auto place = static_cast<std::int32_t>(part * Grain); place < last; ++place)
+        {
+          const auto first = static_cast<std::ptrdiff_t>(list.Places.size());
+          this->ForEachHalfEdge(place, [&](HalfEdge, std::int32_t other) {
+            if (other != place &&
+              std::find(list.Places.begin() + first, list.Places.end(), other) == list.Places.end())
+            {
+              list.Places.push_back(other);
+            }
+          });
+          list.Ends.push_back(static_cast<std::int32_t>(list.Places.size()));
+        }
+      }
+    });
 }
 
 /** Of the views that a whole group faces the one that it faces most, so that neighbours mostly
@@ -127,14 +164,13 @@ void PlainSheets::JoinRuns(std::int32_t level)
     {
       continue;
     }
-    std::int32_t last = place;
-    this->ForEachHalfEdge(place, [&](HalfEdge, std::int32_t other) {
-      if (other > place && other != last && isOpen(other) && other >> shift == place >> shift &&
+    this->AllNeighbours(place, [&](std::int32_t other) {
+      if (other > place && isOpen(other) && other >> shift == place >> shift &&
         this->Views[std::size_t(other)] == this->Views[std::size_t(place)])
       {
-        last = other;
         sets.Unite(place, other);
       }
+      return true;
     });
   }
   this->ForEachRun([&](std::int32_t place) {
@@ -155,12 +191,15 @@ std::vector<PlainSheets::Border> PlainSheets::ListBorders()
         {
           const auto place = static_cast<std::int32_t>(i);
           const std::int32_t sheet = this->Tried[std::size_t(place)];
-          if (sheet < 0)
+          const auto isOnSheet = [&](std::int32_t other) {
+            return other >= 0 && this->Tried[std::size_t(other)] == sheet;
+          };
+          if (sheet < 0 || this->AllNeighbours(place, isOnSheet))
           {
             continue;
           }
           this->ForEachHalfEdge(place, [&](HalfEdge half, std::int32_t other) {
-            if (other < 0 || this->Tried[std::size_t(other)] != sheet)
+            if (!isOnSheet(other))
             {
               const HalfEdge next = half % 3 == 2 ? half - 2 : half + 1;
               parts[std::size_t(part)].push_back(
