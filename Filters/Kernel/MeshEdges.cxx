@@ -5,6 +5,7 @@
 #include "DisjointSets.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace sb
@@ -39,6 +40,11 @@ public:
 
   void Examine(std::int32_t vertex)
   {
+    if (this->ReadRing(vertex) && this->RingGoesAroundOnce())
+    {
+      this->RecordRing(vertex);
+      return;
+    }
     this->ListSpokes(vertex);
     this->Sets.Reset(static_cast<std::int32_t>(this->Triangles.size()));
     this->Rims.clear();
@@ -65,6 +71,86 @@ public:
   }
 
 private:
+  /** Most vertices have a few triangles, one after the other once around. */
+  struct Ring
+  {
+    static constexpr std::size_t Most = 16;
+
+    std::size_t Size;
+    std::array<std::int32_t, Most> Nexts; ///< [triangle] the corner after the vertex
+    std::array<std::int32_t, Most> Lasts; ///< the one before it
+    std::array<HalfEdge, Most> Outgoing; ///< from the vertex
+    std::array<HalfEdge, Most> Incoming; ///< to it
+    std::array<std::size_t, Most> Followers; ///< the triangle beyond the outgoing edge
+  };
+
+  bool ReadRing(std::int32_t vertex)
+  {
+    const VertexFans::Fan fan = this->Fans.Around(vertex);
+    this->Around.Size = 0;
+    if (fan.end() - fan.begin() > std::ptrdiff_t(Ring::Most))
+    {
+      return false;
+    }
+    for (const std::int32_t triangle : fan)
+    {
+      const std::int32_t* const c = this->Corners.data() + 3 * std::size_t(triangle);
+      if (IsPinched(c))
+      {
+        return false;
+      }
+      const int at = c[0] == vertex ? 0 : c[1] == vertex ? 1 : 2;
+      const int last = at == 0 ? 2 : at - 1;
+      const std::size_t i = this->Around.Size++;
+      this->Around.Nexts[i] = c[at == 2 ? 0 : at + 1];
+      this->Around.Lasts[i] = c[last];
+      this->Around.Outgoing[i] = 3 * triangle + at;
+      this->Around.Incoming[i] = 3 * triangle + last;
+    }
+    return this->Around.Size > 0;
+  }
+
+  /** Whether each edge is that of two triangles which agree, and all triangles hang together: were
+   * an edge that of more, the way around would close too early or never. */
+  bool RingGoesAroundOnce()
+  {
+    Ring& ring = this->Around;
+    for (std::size_t i = 0; i < ring.Size; ++i)
+    {
+      std::size_t matches = 0;
+      for (std::size_t j = 0; j < ring.Size; ++j)
+      {
+        const bool isMatch = ring.Lasts[j] == ring.Nexts[i];
+        ring.Followers[i] = isMatch ? j : ring.Followers[i];
+        matches += isMatch;
+      }
+      if (matches != 1)
+      {
+        return false;
+      }
+    }
+    std::size_t steps = 1;
+    std::size_t at = ring.Followers[0];
+    for (; at != 0 && steps < ring.Size; ++steps)
+    {
+      at = ring.Followers[at];
+    }
+    return at == 0 && steps == ring.Size;
+  }
+
+  void RecordRing(std::int32_t vertex)
+  {
+    for (std::size_t i = 0; i < this->Around.Size; ++i)
+    {
+      if (vertex < this->Around.Nexts[i])
+      {
+        const HalfEdge mate = this->Around.Incoming[this->Around.Followers[i]];
+        this->Mates[std::size_t(this->Around.Outgoing[i])] = mate;
+        this->Mates[std::size_t(mate)] = this->Around.Outgoing[i];
+      }
+    }
+  }
+
   /** An edge at the vertex, as one triangle has it. */
   struct Spoke
   {
@@ -155,6 +241,7 @@ private:
   const VertexFans& Fans;
   std::vector<HalfEdge>& Mates;
   Part& Result;
+  Ring Around{};
   std::vector<Spoke> Spokes;
   std::vector<std::int32_t> Triangles; ///< around the vertex, but pinched ones
   DisjointSets Sets; ///< of their places

@@ -24,11 +24,12 @@ PlainSheets::PlainSheets(const TriangleRuns& runs, const Scene& scene,
   , Corners(corners)
   , Edges(edges)
   , Threads(executor)
-  , Views(std::size_t(runs.Tree().Size()))
-  , Tried(std::size_t(runs.Tree().Size()))
-  , Sheets(std::size_t(runs.Tree().Size()), -1)
+  , Views(std::size_t(runs.Count()))
+  , Tried(std::size_t(runs.Count()))
+  , Sheets(std::size_t(runs.Count()), -1)
 {
   this->ChooseViews();
+  this->FindNeighbours();
   for (std::int32_t level = runs.Tree().NumberOfLevels() - 1; level >= 0; --level)
   {
     this->TryParts(level);
@@ -39,7 +40,7 @@ PlainSheets::PlainSheets(const TriangleRuns& runs, const Scene& scene,
 template <class Visit>
 void PlainSheets::ForEachRun(Visit&& visit)
 {
-  this->Threads.For(this->Runs.Tree().Size(), Grain, [&](std::int64_t begin, std::int64_t end) {
+  this->Threads.For(this->Runs.Count(), Grain, [&](std::int64_t begin, std::int64_t end) {
     for (auto place = static_cast<std::int32_t>(begin); place < end; ++place)
     {
       visit(place);
@@ -52,7 +53,7 @@ template <class Visit>
 void PlainSheets::ForEachHalfEdge(std::int32_t place, Visit&& visit) const
 {
   const std::int32_t* faces = this->Runs.FacesOf(place);
-  const std::int32_t count = this->Runs.NumberOfFaces(place);
+  const std::int32_t count = this->Runs[place].Size;
   for (std::int32_t i = 0; i < count; ++i)
   {
     for (HalfEdge half = 3 * faces[i]; half < 3 * faces[i] + 3; ++half)
@@ -63,21 +64,57 @@ void PlainSheets::ForEachHalfEdge(std::int32_t place, Visit&& visit) const
   }
 }
 
+/** Whether a test holds for all runs beside a run. */
+template <class Test>
+bool PlainSheets::AllNeighbours(std::int32_t place, Test&& test) const
+{
+  const NeighbourList& list = this->Neighbours[std::size_t(place / Grain)];
+  const std::int64_t i = place % Grain;
+  const auto begin = list.Places.begin() + (i == 0 ? 0 : list.Ends[std::size_t(i - 1)]);
+  return std::all_of(begin, list.Places.begin() + list.Ends[std::size_t(i)], test);
+}
+
+void PlainSheets::FindNeighbours()
+{
+  const std::int64_t count = this->Runs.Count();
+  this->Neighbours.resize(std::size_t((count + Grain - 1) / Grain));
+  this->Threads.For(static_cast<std::int64_t>(this->Neighbours.size()), 1,
+    [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t part = begin; part < end; ++part)
+      {
+        NeighbourList& list = this->Neighbours[std::size_t(part)];
+        const std::int64_t last = std::min(count, (part + 1) * Grain);
+        for (auto place = static_cast<std::int32_t>(part * Grain); place < last; ++place)
+        {
+          const auto first = static_cast<std::ptrdiff_t>(list.Places.size());
+          this->ForEachHalfEdge(place, [&](HalfEdge, std::int32_t other) {
+            if (other != place &&
+              std::find(list.Places.begin() + first, list.Places.end(), other) == list.Places.end())
+            {
+              list.Places.push_back(other);
+            }
+          });
+          list.Ends.push_back(static_cast<std::int32_t>(list.Places.size()));
+        }
+      }
+    });
+}
+
 /** Of the views that a whole group faces the one that it faces most, so that neighbours mostly
  * agree; else each run of the group for itself. */
 void PlainSheets::ChooseViews()
 {
-  const std::int32_t count = this->Runs.Tree().Size();
+  const std::int32_t count = this->Runs.Count();
   const auto best = [this](std::int32_t begin, std::int32_t end) {
     unsigned views = (1u << NumberOfViews) - 1;
     std::array<double, NumberOfViews> sums{};
     for (std::int32_t place = begin; place < end; ++place)
     {
-      views &= this->Runs.ViewsOf(place);
+      views &= this->Runs[place].Views;
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        sums[2 * axis] += this->Runs.NormalOf(place)[axis];
-        sums[2 * axis + 1] -= this->Runs.NormalOf(place)[axis];
+        sums[2 * axis] += this->Runs[place].Normal[axis];
+        sums[2 * axis + 1] -= this->Runs[place].Normal[axis];
       }
     }
     int view = -1;
@@ -120,21 +157,20 @@ void PlainSheets::JoinRuns(std::int32_t level)
     return this->Sheets[std::size_t(place)] < 0 && this->Views[std::size_t(place)] >= 0;
   };
   const int shift = 3 * (level + 1); // from runs to nodes
-  DisjointSets sets(this->Runs.Tree().Size());
+  DisjointSets sets(this->Runs.Count());
   for (std::int32_t place = 0; place < sets.Size(); ++place)
   {
     if (!isOpen(place))
     {
       continue;
     }
-    std::int32_t last = place;
-    this->ForEachHalfEdge(place, [&](HalfEdge, std::int32_t other) {
-      if (other > place && other != last && isOpen(other) && other >> shift == place >> shift &&
+    this->AllNeighbours(place, [&](std::int32_t other) {
+      if (other > place && isOpen(other) && other >> shift == place >> shift &&
         this->Views[std::size_t(other)] == this->Views[std::size_t(place)])
       {
-        last = other;
         sets.Unite(place, other);
       }
+      return true;
     });
   }
   this->ForEachRun([&](std::int32_t place) {
@@ -145,7 +181,7 @@ void PlainSheets::JoinRuns(std::int32_t level)
 /** By sheet. */
 std::vector<PlainSheets::Border> PlainSheets::ListBorders()
 {
-  const std::int64_t count = this->Runs.Tree().Size();
+  const std::int64_t count = this->Runs.Count();
   std::vector<std::vector<Border>> parts(std::size_t((count + Grain - 1) / Grain));
   this->Threads.For(
     static_cast<std::int64_t>(parts.size()), 1, [&](std::int64_t begin, std::int64_t end) {
@@ -155,12 +191,15 @@ std::vector<PlainSheets::Border> PlainSheets::ListBorders()
         {
           const auto place = static_cast<std::int32_t>(i);
           const std::int32_t sheet = this->Tried[std::size_t(place)];
-          if (sheet < 0)
+          const auto isOnSheet = [&](std::int32_t other) {
+            return other >= 0 && this->Tried[std::size_t(other)] == sheet;
+          };
+          if (sheet < 0 || this->AllNeighbours(place, isOnSheet))
           {
             continue;
           }
           this->ForEachHalfEdge(place, [&](HalfEdge half, std::int32_t other) {
-            if (other < 0 || this->Tried[std::size_t(other)] != sheet)
+            if (!isOnSheet(other))
             {
               const HalfEdge next = half % 3 == 2 ? half - 2 : half + 1;
               parts[std::size_t(part)].push_back(

@@ -14,8 +14,10 @@
 
 #include "Executor.h"
 #include "MeshEdges.h"
+#include "PatchOutline.h"
 #include "TriangleRuns.h"
 
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -51,7 +53,15 @@ private:
     OutlineEdge Edge;
   };
 
+  /** The runs beside some that follow each other; -1 for nothing. */
+  struct NeighbourList
+  {
+    std::vector<std::int32_t> Places; ///< run after run
+    std::vector<std::int32_t> Ends; ///< [run]
+  };
+
   void ChooseViews();
+  void FindNeighbours();
   void TryParts(std::int32_t level);
   void JoinRuns(std::int32_t level);
   std::vector<Border> ListBorders();
@@ -59,6 +69,8 @@ private:
   void MarkNodes();
   template <class Visit>
   void ForEachRun(Visit&& visit);
+  template <class Test>
+  bool AllNeighbours(std::int32_t place, Test&& test) const;
   template <class Visit>
   void ForEachHalfEdge(std::int32_t place, Visit&& visit) const;
 
@@ -67,6 +79,7 @@ private:
   const std::vector<std::int32_t>& Corners;
   const MeshEdges& Edges;
   Executor& Threads;
+  std::vector<NeighbourList> Neighbours; ///< [part of the runs]
   std::vector<std::int8_t> Views; ///< [place] the view that a run is seen in, or -1
   std::vector<std::int32_t> Tried; ///< [place] the sheet that a run may be on, or -1
   std::vector<std::int32_t> Sheets; ///< [place] the sheet that it is on, or -1

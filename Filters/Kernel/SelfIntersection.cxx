@@ -72,7 +72,7 @@ private:
     {
       run.Place = place;
       run.Known = 0;
-      run.Boxes = &this->Runs.BoxesOf(place);
+      run.Boxes = &this->Runs[place].Boxes;
       run.Bounds = run.Boxes->Bounds();
     }
   }

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangleRuns.h"
 
+#include "PatchOutline.h"
+
+#include <algorithm>
+#include <memory>
 #include <numeric>
 
 namespace sb
@@ -25,22 +29,14 @@ TriangleRuns::TriangleRuns(
     this->Middle[axis] = 0.5 * bounds[2 * axis] + 0.5 * bounds[2 * axis + 1];
   }
   this->ListFaces(leftOut);
-  const std::int32_t count = this->NumberOfRuns();
-  // Not initialised: the pages are first touched by the threads that fill them.
-  const std::unique_ptr<Box[]> boxes(new Box[std::size_t(count)]);
-  this->Boxes.reset(new EightBoxes[std::size_t(count)]);
-  this->Normals.reset(new std::array<float, 3>[std::size_t(count)]);
-  this->Views.reset(new std::uint8_t[std::size_t(count)]);
-  const Lengths lengths = this->MakeRuns(boxes.get());
-  // A strip of eight triangles is eight times as long as one of them. Were it much longer, runs
-  // would meet many others.
-  constexpr double longest = 4.0;
-  if (lengths.Runs > longest * lengths.Triangles)
+  // Runs of one or two triangles are those of a mesh whose neighbours are not together.
+  constexpr std::size_t fewest = 3;
+  if (fewest * this->MakeRuns() > this->Faces.size())
   {
     this->SortFaces();
-    this->MakeRuns(boxes.get());
+    this->MakeRuns();
   }
-  this->Hierarchy.Build(boxes.get(), count, executor);
+  this->BuildTree();
   this->NotePlaces();
 }
 
@@ -81,62 +77,88 @@ void TriangleRuns::SortFaces()
   this->Faces = std::move(sorted);
 }
 
-TriangleRuns::Lengths TriangleRuns::MakeRuns(Box* boxes)
+/** @return how many there are. */
+std::size_t TriangleRuns::MakeRuns()
 {
-  constexpr std::int64_t grain = Grain / Width;
-  const std::int64_t count = this->NumberOfRuns();
-  std::vector<Lengths> parts(std::size_t((count + grain - 1) / grain));
+  const auto count = static_cast<std::int64_t>(this->Faces.size());
+  this->Parts.clear();
+  this->Parts.resize(std::size_t((count + Grain - 1) / Grain));
   this->Threads.For(
-    static_cast<std::int64_t>(parts.size()), 1, [&](std::int64_t begin, std::int64_t end) {
+    static_cast<std::int64_t>(this->Parts.size()), 1, [&](std::int64_t begin, std::int64_t end) {
       for (std::int64_t part = begin; part < end; ++part)
       {
-        Lengths sum;
-        for (std::int64_t run = part * grain; run < std::min(count, (part + 1) * grain); ++run)
-        {
-          const Lengths more = this->MakeRun(static_cast<std::int32_t>(run), boxes[run]);
-          sum.Triangles += more.Triangles;
-          sum.Runs += more.Runs;
-        }
-        parts[std::size_t(part)] = sum;
+        this->MakeRunsOfPart(static_cast<std::int32_t>(part * Grain),
+          static_cast<std::int32_t>(std::min(count, (part + 1) * Grain)),
+          this->Parts[std::size_t(part)]);
       }
     });
-  Lengths total;
-  for (const Lengths& part : parts)
+  std::size_t total = 0;
+  for (const std::vector<TriangleRun>& part : this->Parts)
   {
-    total.Triangles += part.Triangles;
-    total.Runs += part.Runs;
+    total += part.size();
   }
   return total;
 }
 
-TriangleRuns::Lengths TriangleRuns::MakeRun(std::int32_t run, Box& total)
+/** A run ends where it would be longer than its triangles end to end. */
+void TriangleRuns::MakeRunsOfPart(
+  std::int32_t begin, std::int32_t end, std::vector<TriangleRun>& runs) const
 {
-  const std::int32_t first = Width * run;
-  const std::int32_t count = std::min(Width, static_cast<std::int32_t>(this->Faces.size()) - first);
-  Lengths lengths;
-  unsigned views = (1u << NumberOfViews) - 1;
-  std::array<float, 3> normal{};
-  for (std::int32_t lane = 0; lane < Width; ++lane)
+  runs.reserve(std::size_t((end - begin) / 6));
+  double length = 0.0;
+  for (std::int32_t i = begin; i < end; ++i)
   {
-    if (lane >= count)
-    {
-      this->Boxes[std::size_t(run)].Set(lane, FloatBox::Nothing());
-      continue;
-    }
-    const std::int32_t face = this->Faces[std::size_t(first + lane)];
+    const std::int32_t face = this->Faces[std::size_t(i)];
     const Box box = this->BoxOf(face);
-    lane == 0 ? void(total = box) : Enclose(total, box);
-    lengths.Triangles += LongestSide(box);
-    this->Boxes[std::size_t(run)].Set(lane, this->ToFrame(box));
-    const std::int32_t* ids = this->World.Mesh(0).Triangles + 3 * std::size_t(face);
-    views &= ViewsFacing(
-      this->World.Position(ids[0]), this->World.Position(ids[1]), this->World.Position(ids[2]));
-    this->AddNormal(face, normal);
+    length += LongestSide(box);
+    if (!runs.empty() && runs.back().Size < MostFaces)
+    {
+      Box total = runs.back().Bounds;
+      Enclose(total, box);
+      if (LongestSide(total) <= length)
+      {
+        runs.back().Bounds = total;
+        this->Add(face, box, runs.back());
+        continue;
+      }
+    }
+    runs.push_back({ {}, box, {}, i, 0, (1u << NumberOfViews) - 1 });
+    for (int lane = 0; lane < EightBoxes::Width; ++lane)
+    {
+      runs.back().Boxes.Set(lane, FloatBox::Nothing());
+    }
+    this->Add(face, box, runs.back());
+    length = LongestSide(box);
   }
-  this->Normals[std::size_t(run)] = normal;
-  this->Views[std::size_t(run)] = static_cast<std::uint8_t>(views);
-  lengths.Runs = LongestSide(total);
-  return lengths;
+}
+
+void TriangleRuns::Add(std::int32_t face, const Box& box, TriangleRun& run) const
+{
+  const std::int32_t* ids = this->World.Mesh(0).Triangles + 3 * std::size_t(face);
+  const double* a = this->World.Position(ids[0]);
+  const double* b = this->World.Position(ids[1]);
+  const double* c = this->World.Position(ids[2]);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::size_t u = (axis + 1) % 3;
+    const std::size_t v = (axis + 2) % 3;
+    run.Normal[axis] +=
+      static_cast<float>((b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]));
+  }
+  run.Views &= ViewsFacing(a, b, c);
+  run.Boxes.Set(run.Size++, this->ToFrame(box));
+}
+
+/** Every step is monotone, so boxes that meet as doubles meet as floats, too. */
+FloatBox TriangleRuns::ToFrame(const Box& box) const
+{
+  FloatBox inFrame;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    inFrame.Lower[axis] = static_cast<float>(box.Lower[axis] - this->Middle[axis]);
+    inFrame.Upper[axis] = static_cast<float>(box.Upper[axis] - this->Middle[axis]);
+  }
+  return inFrame;
 }
 
 Box TriangleRuns::BoxOf(std::int32_t face) const
@@ -154,40 +176,33 @@ Box TriangleRuns::BoxOf(std::int32_t face) const
   return box;
 }
 
-void TriangleRuns::AddNormal(std::int32_t face, std::array<float, 3>& sum) const
+void TriangleRuns::BuildTree()
 {
-  const std::int32_t* ids = this->World.Mesh(0).Triangles + 3 * std::size_t(face);
-  const double* a = this->World.Position(ids[0]);
-  const double* b = this->World.Position(ids[1]);
-  const double* c = this->World.Position(ids[2]);
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  std::vector<const TriangleRun*> inOrder;
+  std::vector<Box> boxes;
+  for (const std::vector<TriangleRun>& part : this->Parts)
   {
-    const std::size_t u = (axis + 1) % 3;
-    const std::size_t v = (axis + 2) % 3;
-    sum[axis] += static_cast<float>((b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]));
+    for (const TriangleRun& run : part)
+    {
+      inOrder.push_back(&run);
+      boxes.push_back(run.Bounds);
+    }
   }
-}
-
-/** Every step is monotone, so boxes that meet as doubles meet as floats, too. */
-FloatBox TriangleRuns::ToFrame(const Box& box) const
-{
-  FloatBox inFrame;
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  this->Hierarchy.Build(boxes.data(), static_cast<std::int32_t>(boxes.size()), this->Threads);
+  for (const std::int32_t i : this->Hierarchy.Order())
   {
-    inFrame.Lower[axis] = static_cast<float>(box.Lower[axis] - this->Middle[axis]);
-    inFrame.Upper[axis] = static_cast<float>(box.Upper[axis] - this->Middle[axis]);
+    this->ByPlace.push_back(inOrder[std::size_t(i)]);
   }
-  return inFrame;
 }
 
 void TriangleRuns::NotePlaces()
 {
   this->Places.resize(std::size_t(this->World.NumberOfFaces()), -1);
-  this->Threads.For(this->Hierarchy.Size(), Grain, [&](std::int64_t begin, std::int64_t end) {
+  this->Threads.For(this->Count(), Grain / MostFaces, [&](std::int64_t begin, std::int64_t end) {
     for (auto place = static_cast<std::int32_t>(begin); place < end; ++place)
     {
       const std::int32_t* faces = this->FacesOf(place);
-      std::for_each(faces, faces + this->NumberOfFaces(place),
+      std::for_each(faces, faces + (*this)[place].Size,
         [&](std::int32_t face) { this->Places[std::size_t(face)] = place; });
     }
   });

@@ -6,10 +6,9 @@
 #include "ParallelSort.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <cstring>
-#include <memory>
+#include <utility>
 
 namespace sb
 {
@@ -87,56 +86,66 @@ void VertexFans::WeldPoints(const Surface& surface, Executor& executor)
   }
 }
 
+/** Each of a triangle's vertices once, though points may be at one place. */
+template <class Visit>
+void VertexFans::ForEachVertex(const std::int32_t* points, Visit&& visit) const
+{
+  const std::int32_t a = this->VertexOf(points[0]);
+  const std::int32_t b = this->VertexOf(points[1]);
+  const std::int32_t c = this->VertexOf(points[2]);
+  visit(static_cast<std::size_t>(a));
+  if (b != a)
+  {
+    visit(static_cast<std::size_t>(b));
+  }
+  if (c != a && c != b)
+  {
+    visit(static_cast<std::size_t>(c));
+  }
+}
+
 void VertexFans::Build(const Surface& surface, Executor& executor)
 {
   this->WeldPoints(surface, executor);
-  const std::size_t numberOfPoints = static_cast<std::size_t>(surface.NumberOfPoints);
-  const std::unique_ptr<std::atomic<std::int32_t>[]> counts(
-    new std::atomic<std::int32_t>[numberOfPoints]);
-  executor.For(surface.NumberOfPoints, Grain, [&](std::int64_t begin, std::int64_t end) {
-    for (std::int64_t i = begin; i < end; ++i)
-    {
-      counts[static_cast<std::size_t>(i)].store(0, std::memory_order_relaxed);
-    }
-  });
+  // Each part of the triangles has a count of its own for each vertex, so that no two threads
+  // change the same one, and triangles of a vertex come in their order.
+  constexpr std::int64_t most = 4;
+  const std::int64_t numberOfParts = std::clamp<std::int64_t>(
+    surface.NumberOfTriangles / Grain, 1, std::min<std::int64_t>(most, executor.NumberOfThreads()));
+  std::vector<std::vector<std::int32_t>> counts(static_cast<std::size_t>(numberOfParts));
   const auto forEachCorner = [&](auto&& visit) {
-    executor.For(surface.NumberOfTriangles, Grain, [&](std::int64_t begin, std::int64_t end) {
-      for (std::int64_t i = begin; i < end; ++i)
+    executor.For(numberOfParts, 1, [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t part = begin; part < end; ++part)
       {
-        for (int corner = 0; corner < 3; ++corner)
+        std::vector<std::int32_t>& ofPart = counts[static_cast<std::size_t>(part)];
+        ofPart.resize(static_cast<std::size_t>(surface.NumberOfPoints));
+        const std::int64_t last = surface.NumberOfTriangles * (part + 1) / numberOfParts;
+        for (std::int64_t i = surface.NumberOfTriangles * part / numberOfParts; i < last; ++i)
         {
-          visit(static_cast<std::size_t>(this->VertexOf(surface.Triangles[3 * i + corner])),
-            static_cast<std::int32_t>(i));
+          this->ForEachVertex(surface.Triangles + 3 * i, [&](std::size_t vertex) {
+            visit(vertex, ofPart[vertex]++, static_cast<std::int32_t>(i));
+          });
         }
       }
     });
   };
-  forEachCorner([&](std::size_t vertex, std::int32_t) {
-    counts[vertex].fetch_add(1, std::memory_order_relaxed);
-  });
-  this->Starts.resize(numberOfPoints);
+  forEachCorner([](std::size_t, std::int32_t, std::int32_t) {});
+  this->Starts.resize(static_cast<std::size_t>(surface.NumberOfPoints) + 1);
   executor.For(surface.NumberOfPoints, Grain, [&](std::int64_t begin, std::int64_t end) {
     for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
     {
-      this->Starts[i] = counts[i].exchange(0, std::memory_order_relaxed);
+      std::int32_t sum = 0;
+      for (std::vector<std::int32_t>& ofPart : counts)
+      {
+        sum += std::exchange(ofPart[i], sum);
+      }
+      this->Starts[i] = sum;
     }
   });
+  this->Starts.back() = 0;
   this->Triangles.resize(static_cast<std::size_t>(ExclusivePrefixSum(this->Starts, executor)));
-  forEachCorner([&](std::size_t vertex, std::int32_t triangle) {
-    const std::int64_t place =
-      this->Starts[vertex] + counts[vertex].fetch_add(1, std::memory_order_relaxed);
-    this->Triangles[static_cast<std::size_t>(place)] = triangle;
-  });
-  // In the order of arrival until here; sorted, it depends on nothing but the surface.
-  this->Ends.resize(numberOfPoints);
-  executor.For(surface.NumberOfPoints, Grain, [&](std::int64_t begin, std::int64_t end) {
-    for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-    {
-      const auto first = this->Triangles.begin() + static_cast<std::ptrdiff_t>(this->Starts[i]);
-      const auto last = first + counts[i].load(std::memory_order_relaxed);
-      std::sort(first, last);
-      this->Ends[i] = std::unique(first, last) - this->Triangles.begin();
-    }
+  forEachCorner([&](std::size_t vertex, std::int32_t place, std::int32_t triangle) {
+    this->Triangles[static_cast<std::size_t>(this->Starts[vertex] + place)] = triangle;
   });
 }
 

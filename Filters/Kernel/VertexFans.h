@@ -43,15 +43,16 @@ public:
   {
     const std::int32_t* triangles = this->Triangles.data();
     return { triangles + this->Starts[static_cast<std::size_t>(vertex)],
-      triangles + this->Ends[static_cast<std::size_t>(vertex)] };
+      triangles + this->Starts[static_cast<std::size_t>(vertex) + 1] };
   }
 
 private:
   void WeldPoints(const Surface& surface, Executor& executor);
+  template <class Visit>
+  void ForEachVertex(const std::int32_t* points, Visit&& visit) const;
 
   std::vector<std::int32_t> Vertices; ///< [point], empty if all points are apart
-  std::vector<std::int64_t> Starts; ///< [vertex]
-  std::vector<std::int64_t> Ends;
+  std::vector<std::int64_t> Starts; ///< [vertex], and the end of the last one
   std::vector<std::int32_t> Triangles;
 };
 

@@ -24,7 +24,7 @@ class Case:
     """One comparison: (union of input) operation (union of tool)."""
 
     name: str
-    operation: str  # "union", "intersection" or "difference", or one of CURVES
+    operation: str  # "union", "intersection" or "difference", "clip", "check", or one of CURVES
     input: list
     tool: list
     volume: float  # or the length of the curves
@@ -203,6 +203,14 @@ def bumpy_spheres(frequency):
     yield Case("bumpy union", "union", [first], [second], volume, volume * 40 / frequency**2)
 
 
+def bumpy_check(frequency):
+    """The same two spheres beside each other, as one surface, which meets itself nowhere."""
+    first, second = bumpy_meshes(frequency)
+    both = joined([first, (second[0] + (3.0, 0.0, 0.0), second[1])])
+    contenders = ("ours", "pymeshlab", "meshlib")
+    yield Case("bumpy check", "check", [both], [], mesh_volume(first) + mesh_volume(second), 1e-9, contenders)
+
+
 def bumpy_curves(frequency):
     """The curves of the same two: the directions in which their radii are equal, found on a grid of directions."""
     cosine, angle = np.linspace(-1, 1, 1601), np.linspace(0, 2 * np.pi, 3201)
@@ -335,6 +343,7 @@ def all_cases(quick):
     operations = ("union", "intersection", "difference")
     yield from two_spheres(16 if quick else 256, operations)
     yield from bumpy_spheres(40 if quick else 158)
+    yield from bumpy_check(40 if quick else 158)
     yield from bumpy_curves(40 if quick else 224)
     yield from sphere_curves(16 if quick else 50)
     yield from small_tool(32 if quick else 224)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Compares our Boolean and intersection filters with their peers in one run: `make bench`, or `make bench PEERS=all`.
+"""Compares our Boolean, intersection, clip and check filters with their peers in one run: `make bench`, or `make bench PEERS=all`.
 
 Every contender goes from raw numpy arrays to raw arrays (the whole update, with all the structures it builds) in a
 process of its own. Contenders take turns at every repetition, so that a machine that slows down slows all of them. Told
@@ -30,7 +30,7 @@ import numpy as np
 from cases import CURVES, all_cases
 
 HERE = Path(__file__).resolve().parent
-PERMISSIVE = ("ours", "manifold3d", "trimesh", "vtk", "vtk-packaged")
+PERMISSIVE = ("ours", "manifold3d", "trimesh", "vtk", "vtk-packaged", "pymeshlab")
 REPETITIONS = 5
 PATIENCE = 600  # seconds for one update, after which a contender is out
 
@@ -48,11 +48,13 @@ TIME_TARGETS = (
     *((case, "vtk", 0.05) for case in CURVES),
     *((case, peer, 0.5) for case in CLIPS for peer in ("vtk", "manifold3d", "trimesh", "meshlib", "trueform")),
     *((case, "vtk-packaged", 0.2) for case in CLIPS),
+    *(("bumpy check", peer, 1.0) for peer in ("pymeshlab", "meshlib")),
 )
 MEMORY_TARGETS = tuple((case, "trueform", 1.0) for case in (*SPHERES, "bumpy union", "small tool", "plate - 1000"))
 MOVED_TARGETS = tuple((case, 0.5) for case in (*SPHERES, "bumpy union", "small tool"))
 DOUBLINGS = (("plate - 250", "plate - 500"), ("plate - 500", "plate - 1000"), ("union of 25", "union of 50"))
 DOUBLING_LIMIT = 2.3
+CHECK_LIMIT = 1.0  # of a Boolean of the same triangles
 
 
 class Worker:
@@ -183,6 +185,8 @@ def verdicts(results):
     for case, limit in MOVED_TARGETS:
         moved, first = figure(case, "ours", "moved wall"), figure(case, "ours", "wall")
         yield from ratio(f"{case}: tool moved / first update", limit, moved, first)
+    check, union = (figure(case, "ours", "wall") for case in ("bumpy check", "bumpy union"))
+    yield from ratio("bumpy check / bumpy union, ours", CHECK_LIMIT, check, union)
     for half, whole in DOUBLINGS:
         one, two = figure(half, "ours", "wall"), figure(whole, "ours", "wall")
         yield from ratio(f"{half} -> {whole}: growth of ours", DOUBLING_LIMIT, two, one)

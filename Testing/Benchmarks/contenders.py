@@ -106,6 +106,61 @@ class Ours(VTKFilter):
         return *self.arrays(filter.GetOutput()), keep
 
 
+class OurCheck(VTKFilter):
+    """surfacebooleans.vtk.vtkPolyDataSurfaceCheck: all that it looks for, self-intersections among it."""
+
+    def __init__(self):
+        from surfacebooleans.vtk import vtkPolyDataSurfaceCheck
+
+        self.filter_class = vtkPolyDataSurfaceCheck
+        self.version = f"this tree, VTK {self.import_vtk()}"
+
+    def update(self):
+        surface = self.surface(*self.meshes[0])
+        filter = self.filter_class()
+        filter.SetInputData(surface)
+        filter.Update()
+        meetings = filter.GetOutput().GetCellData().GetArray("SelfIntersections")
+        points, triangles = self.meshes[0][0], self.meshes[0][1].reshape(-1, 3)
+        kept = triangles if meetings is None else triangles[self.to_numpy(meetings) == 0]
+        return points, kept, (filter, surface)
+
+
+class PyMeshLabCheck(Contender):
+    """pymeshlab's selection of the faces that meet others."""
+
+    def __init__(self):
+        import pymeshlab
+
+        self.module = pymeshlab
+        self.version = package_version("pymeshlab")
+
+    def update(self):
+        meshes = self.module.MeshSet()
+        meshes.add_mesh(self.module.Mesh(*self.meshes[0]))
+        meshes.compute_selection_by_self_intersections_per_face()
+        points, triangles = self.meshes[0]
+        return points, triangles[~meshes.current_mesh().face_selection_array()], meshes
+
+
+class MeshLibCheck(Contender):
+    """meshlib's faces that meet others."""
+
+    def __init__(self):
+        from meshlib import mrmeshnumpy, mrmeshpy
+
+        self.module, self.numpy = mrmeshpy, mrmeshnumpy
+        self.version = package_version("meshlib")
+
+    def update(self):
+        points, triangles = self.meshes[0]
+        mesh = self.numpy.meshFromFacesVerts(triangles, points)
+        found = self.numpy.getNumpyBitSet(self.module.findSelfCollidingTrianglesBS(self.module.MeshPart(mesh)))
+        meets = np.zeros(len(triangles), dtype=bool)
+        meets[: len(found)] = found
+        return points, triangles[~meets], mesh
+
+
 class VTK(VTKFilter):
     """VTK's own vtkBooleanOperationPolyDataFilter and vtkIntersectionPolyDataFilter, of the wheel on PyPI."""
 
@@ -215,6 +270,9 @@ def package_version(name):
 
     return version(name)
 
+
+# What finds triangles that meet others. It gives back those that meet none; if all do not, the volume is the surface's.
+CHECKERS = {"ours": OurCheck, "pymeshlab": PyMeshLabCheck, "meshlib": MeshLibCheck}
 
 CONTENDERS = {
     "ours": Ours,

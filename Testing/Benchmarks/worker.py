@@ -19,7 +19,7 @@ import numpy as np
 
 from cases import box, mesh_volume
 from clippers import CLIPPERS
-from contenders import CONTENDERS
+from contenders import CHECKERS, CONTENDERS
 
 
 def peak_memory_since(action):
@@ -107,6 +107,9 @@ def main():
     if case[0] == "clip":
         contender = CLIPPERS[sys.argv[1]]()
         contender.prepare("clip", [box((0, 0, 0), (1, 1, 1))], [], [((0.5, 0.5, 0.5), (1, 2, 3))])
+    elif case[0] == "check":
+        contender = CHECKERS[sys.argv[1]]()
+        contender.prepare("check", [box((0, 0, 0), (1, 1, 1))], [])
     else:
         contender = CONTENDERS[sys.argv[1]]()
         contender.prepare("union", [box((0, 0, 0), (1, 1, 1))], [box((0.5, 0.4, 0.3), (2, 2, 2))])

@@ -11,6 +11,7 @@
 #include "SurfaceCheck.h"
 #include "ThreadExecutor.h"
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <map>
@@ -422,6 +423,96 @@ void TestRandomSoups()
   }
 }
 
+/**
+ * A square net in which points are off their places by up to `noise`, along z by up to `height`.
+ * Four units are between neighbours, so that it folds over from a noise of about 4 on.
+ */
+shapes::Mesh RoughNet(shapes::Random& random, int cells, int noise, int height)
+{
+  shapes::Mesh mesh;
+  for (int i = 0; i <= cells; ++i)
+  {
+    for (int j = 0; j <= cells; ++j)
+    {
+      mesh.Points.push_back({ double(4 * i + shapes::Between(random, -noise, noise)),
+        double(4 * j + shapes::Between(random, -noise, noise)),
+        double(shapes::Between(random, -height, height)) });
+    }
+  }
+  for (std::int32_t i = 0; i < cells; ++i)
+  {
+    for (std::int32_t j = 0; j < cells; ++j)
+    {
+      const std::int32_t a = i * (cells + 1) + j;
+      const std::int32_t b = a + cells + 1;
+      mesh.Triangles.push_back({ a, b, b + 1 });
+      mesh.Triangles.push_back({ a, b + 1, a + 1 });
+    }
+  }
+  return mesh;
+}
+
+/** Sheets that are plain, nearly plain, and run into themselves and each other. */
+void TestRoughNets()
+{
+  shapes::Random random(6);
+  int withMeetings = 0;
+  for (int round = 0; round < 24; ++round)
+  {
+    const int noise = round % 6;
+    shapes::Mesh net = RoughNet(random, 5, noise, 1 + round / 2 % 8);
+    if (round % 3 == 1)
+    {
+      net.Append(RoughNet(random, 3, noise, 3));
+    }
+    const Definition expected(net);
+    withMeetings += !expected.Meetings.empty();
+    CompareMeetings(expected, CheckMesh(net));
+    CHECK(AreSame(CheckMesh(net), CheckMesh(net, 4)));
+  }
+  CHECK(withMeetings > 6 && withMeetings < 20);
+}
+
+/** A ramp that winds up around an axis: all of it faces upwards and hangs together. */
+shapes::Mesh Ramp(int turns, int rise)
+{
+  constexpr std::int32_t steps = 12;
+  shapes::Mesh mesh;
+  for (std::int32_t i = 0; i <= steps * turns; ++i)
+  {
+    const double angle = 2 * 3.14159265358979 * (i % steps) / steps;
+    for (const double radius : { 100.0, 200.0, 300.0 })
+    {
+      mesh.Points.push_back({ std::round(radius * std::cos(angle)),
+        std::round(radius * std::sin(angle)), double(rise * i) });
+    }
+  }
+  for (std::int32_t i = 0; i < 3 * steps * turns; ++i)
+  {
+    if (i % 3 < 2)
+    {
+      mesh.Triangles.push_back({ i, i + 1, i + 4 });
+      mesh.Triangles.push_back({ i, i + 4, i + 3 });
+    }
+  }
+  return mesh;
+}
+
+/** Floors over each other are no intersection; one that goes down through the other is one, though
+ * all faces look upwards still. */
+void TestRamps()
+{
+  shapes::Mesh ramp = Ramp(2, 2);
+  CHECK_EQUAL(CheckMesh(ramp).Counts.SelfIntersections, 0);
+  for (std::size_t i = ramp.Points.size() / 2 + 1; i < ramp.Points.size(); ++i)
+  {
+    ramp.Points[i][2] = 49.0 - ramp.Points[i][2];
+  }
+  const Definition expected(ramp);
+  CHECK(expected.Meetings.size() > 3);
+  CompareMeetings(expected, CheckMesh(ramp));
+}
+
 /** The segments are where two known triangles cross. */
 void TestWhereTrianglesMeet()
 {
@@ -640,6 +731,8 @@ void TestStopping()
 int main()
 {
   TestRandomSoups();
+  TestRoughNets();
+  TestRamps();
   TestWhereTrianglesMeet();
   TestCleanBodies();
   TestNesting();
