@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNURBSReader.h"
 
+#include "ArrayMemory.h"
 #include "CADFile.h"
 #include "CADSession.h"
 #include "FieldArrays.h"
@@ -46,7 +47,7 @@ vtkSmartPointer<Array> ArrayOf(const char* name, int components, const std::vect
   const auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
+  sbvtk::SetTuples(array, static_cast<vtkIdType>(values.size()) / components);
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   return array;
 }
@@ -107,11 +108,16 @@ void vtkNURBSReader::Run::Execute()
     this->Examine();
     this->FillOutput();
     this->AddFields();
+    sbvtk::StopIfAsked(this->Reader);
     return;
   }
   catch (const Failure& caught)
   {
     failure = caught;
+  }
+  catch (const sbvtk::Stopped&)
+  {
+    failure = { ABORTED, "The reader was stopped." };
   }
   catch (const std::bad_alloc&)
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CloudBooleanOutputs.h"
 
+#include "ArrayMemory.h"
 #include "AttributeUnion.h"
 #include "NURBSArrays.h"
 
@@ -33,7 +34,7 @@ vtkSmartPointer<Array> MakeArray(const char* name, int components, const Values&
   const auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
+  SetTuples(array, static_cast<vtkIdType>(values.size()) / components);
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   return array;
 }
@@ -51,7 +52,7 @@ vtkSmartPointer<vtkCellArray> MakeCells(const Ids& corners, std::int64_t perCell
 {
   const std::int64_t count = static_cast<std::int64_t>(corners.size()) / perCell;
   vtkNew<vtkTypeInt64Array> offsets;
-  offsets->SetNumberOfValues(count + 1);
+  SetTuples(offsets, count + 1);
   for (std::int64_t i = 0; i <= count; ++i)
   {
     offsets->GetPointer(0)[i] = i * perCell;

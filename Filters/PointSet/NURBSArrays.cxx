@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NURBSArrays.h"
 
+#include "ArrayMemory.h"
+
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -30,7 +32,7 @@ public:
     vtkDataArray* array = data->GetFieldData()->GetArray(name);
     if (array && array->GetNumberOfComponents() == components)
     {
-      this->Values->DeepCopy(array);
+      CopyTuples(array, this->Values);
       this->Found = true;
     }
   }

@@ -126,11 +126,16 @@ void vtkPointSetBooleanFilter::Run::Execute()
       { this->Surface, this->Points, this->Curves }, this->Executor);
     this->Times.push_back({ "Build outputs", this->Watch.Lap() });
     this->AddFields(this->Status, this->Message);
+    sbvtk::StopIfAsked(this->Filter);
     return;
   }
   catch (const Failure& caught)
   {
     failure = caught;
+  }
+  catch (const sbvtk::Stopped&)
+  {
+    failure = { ABORTED, "The filter was stopped." };
   }
   catch (const std::bad_alloc&)
   {

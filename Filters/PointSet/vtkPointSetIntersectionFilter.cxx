@@ -118,11 +118,16 @@ void vtkPointSetIntersectionFilter::Run::Execute()
     this->PrepareCloud();
     this->Intersect();
     this->AddFields(this->WarningStatus, this->Warning);
+    sbvtk::StopIfAsked(this->Filter);
     return;
   }
   catch (const Failure& caught)
   {
     failure = caught;
+  }
+  catch (const sbvtk::Stopped&)
+  {
+    failure = { CloudFilter::ABORTED, "The filter was stopped." };
   }
   catch (const std::bad_alloc&)
   {

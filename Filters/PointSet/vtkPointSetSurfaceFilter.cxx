@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSetSurfaceFilter.h"
 
+#include "ArrayMemory.h"
 #include "CloudInput.h"
 #include "CloudSampling.h"
 #include "CloudSentences.h"
@@ -46,7 +47,7 @@ vtkSmartPointer<vtkDoubleArray> NewDoubles(const char* name, int components, vtk
   const auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(count);
+  sbvtk::SetTuples(array, count);
   return array;
 }
 
@@ -54,7 +55,7 @@ vtkSmartPointer<vtkUnsignedCharArray> NewBytes(const char* name, vtkIdType count
 {
   const auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
   array->SetName(name);
-  array->SetNumberOfTuples(count);
+  sbvtk::SetTuples(array, count);
   return array;
 }
 
@@ -168,11 +169,16 @@ void vtkPointSetSurfaceFilter::Run::Execute()
     }
     this->Judge();
     this->AddFields(this->Status, this->Message);
+    sbvtk::StopIfAsked(this->Filter);
     return;
   }
   catch (const Failure& caught)
   {
     failure = caught;
+  }
+  catch (const sbvtk::Stopped&)
+  {
+    failure = { ABORTED, "The filter was stopped." };
   }
   catch (const std::bad_alloc&)
   {
@@ -333,14 +339,14 @@ void vtkPointSetSurfaceFilter::Run::BuildPoints()
   }
   else
   {
-    points->DeepCopy(this->Input.Data()->GetPoints());
+    sbvtk::CopyTuples(this->Input.Data()->GetPoints(), points);
   }
   this->Points->SetPoints(points);
   const vtkIdType count = this->Count();
   vtkNew<vtkIdTypeArray> offsets;
   vtkNew<vtkIdTypeArray> ids;
-  offsets->SetNumberOfValues(count + 1);
-  ids->SetNumberOfValues(count);
+  sbvtk::SetTuples(offsets, count + 1);
+  sbvtk::SetTuples(ids, count);
   for (vtkIdType i = 0; i < count; ++i)
   {
     offsets->GetPointer(0)[i] = i;
@@ -384,9 +390,9 @@ void vtkPointSetSurfaceFilter::Run::BuildMesh()
   points->SetData(coordinates);
   vtkNew<vtkTypeInt32Array> offsets;
   vtkNew<vtkTypeInt32Array> corners;
-  corners->SetNumberOfValues(static_cast<vtkIdType>(mesh.Triangles.size()));
+  sbvtk::SetTuples(corners, static_cast<vtkIdType>(mesh.Triangles.size()));
   std::copy(mesh.Triangles.begin(), mesh.Triangles.end(), corners->GetPointer(0));
-  offsets->SetNumberOfValues(corners->GetNumberOfValues() / 3 + 1);
+  sbvtk::SetTuples(offsets, corners->GetNumberOfValues() / 3 + 1);
   for (vtkIdType i = 0; i < offsets->GetNumberOfValues(); ++i)
   {
     offsets->GetPointer(0)[i] = static_cast<int>(3 * i);

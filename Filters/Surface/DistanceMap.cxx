@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistanceMap.h"
 
+#include "ArrayMemory.h"
 #include "FieldArrays.h"
 
 #include "DistanceSampling.h"
@@ -30,7 +31,7 @@ double* NewDoubles(Array& array, const char* name, int components, std::int64_t 
 {
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(count);
+  SetTuples(array, count);
   return array->GetPointer(0);
 }
 
@@ -100,7 +101,7 @@ bool DistanceMap::AddArrays(vtkDataSetAttributes* attributes, const SamplePlaces
   {
     vtkNew<vtkIdTypeArray> cells;
     cells->SetName("NearestCellId");
-    cells->SetNumberOfTuples(count);
+    SetTuples(cells, count);
     std::transform(
       triangles.begin(), triangles.end(), cells->GetPointer(0), [this](std::int32_t triangle) {
         return triangle < 0 ? vtkIdType(-1) : vtkIdType(this->Surface.CellOfTriangle(triangle));

@@ -7,6 +7,7 @@
 #ifndef FieldArrays_h
 #define FieldArrays_h
 
+#include "ArrayMemory.h"
 #include "Boolean.h"
 
 #include "vtkDataObject.h"
@@ -27,7 +28,7 @@ void AddField(vtkDataObject* output, const char* name, const std::vector<Value>&
 {
   vtkNew<Array> array;
   array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  SetTuples(array, static_cast<vtkIdType>(values.size()));
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     array->SetValue(static_cast<vtkIdType>(i), values[i]);

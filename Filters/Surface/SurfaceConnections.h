@@ -12,6 +12,7 @@
 #include "Boolean.h"
 #include "OperandSurface.h"
 #include "SurfaceInput.h"
+#include "sbSurfaceModule.h" // for the export macro
 
 #include <memory>
 #include <string>
@@ -28,6 +29,9 @@ struct FilterFailure
   int Status;
   std::string Sentence;
 };
+
+/** A condition of the kernel that ends an update. */
+SBSURFACE_EXPORT FilterFailure FailureOf(sb::Status condition, const std::string& name = "Input");
 
 /** One connection of a port, and what is known of it from the last update. */
 struct SurfaceConnection

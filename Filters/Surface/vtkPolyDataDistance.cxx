@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPolyDataDistance.h"
 
-#include "ConditionSentences.h"
 #include "DistanceMap.h"
 #include "DistanceSurface.h"
 #include "FieldArrays.h"
 #include "KernelExecutor.h"
 #include "SamplePlaces.h"
+#include "SurfaceConnections.h"
 #include "SurfaceInput.h"
 #include "TimeSteps.h"
 
@@ -80,18 +80,6 @@ private:
   double InputToTool = 0.0;
 };
 
-namespace
-{
-
-sbvtk::DistanceSurface::Remark Stopped()
-{
-  sb::Remark remark;
-  remark.Condition = sb::Status::Aborted;
-  return { static_cast<int>(remark.Condition), sbvtk::ConditionSentence(remark, "", -1), true };
-}
-
-} // namespace
-
 //------------------------------------------------------------------------------
 void vtkPolyDataDistance::Run::Execute()
 {
@@ -108,10 +96,16 @@ void vtkPolyDataDistance::Run::Execute()
         this->Gravest.Sentence.empty() ? std::string("The result is complete.")
                                        : this->Gravest.Sentence);
     }
+    sbvtk::StopIfAsked(this->Filter);
   }
   catch (const Remark& failure)
   {
     this->Fail(failure);
+  }
+  catch (const sbvtk::Stopped&)
+  {
+    const sbvtk::FilterFailure stopped = sbvtk::FailureOf(sb::Status::Aborted);
+    this->Fail({ stopped.Status, stopped.Sentence, true });
   }
   catch (const std::bad_alloc&)
   {
@@ -254,7 +248,7 @@ void vtkPolyDataDistance::Run::MapInput()
   {
     if (!map.AddTo(leaf, this->Executor, monitor))
     {
-      throw Stopped();
+      throw sbvtk::Stopped();
     }
   }
   this->NoteBadPoints(map, "Input");
@@ -300,7 +294,7 @@ void vtkPolyDataDistance::Run::MapTool()
   sbvtk::DistanceMap map(this->Filter->Kept->InputSurface, this->Options());
   if (!map.AddTo(this->Second, this->Executor, monitor))
   {
-    throw Stopped();
+    throw sbvtk::Stopped();
   }
   const sb::DistanceSummary summary = map.Summary();
   sbvtk::AddSummaryFields(this->Second, summary);
