@@ -17,7 +17,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <system_error>
 
 namespace sbvtk
 {
@@ -43,6 +45,38 @@ std::string Transfer(XSControl_Reader& reader, const std::string& name, TopoDS_S
   shape = reader.OneShape();
   return "";
 }
+
+/** A file beside the one to be written, so that there is never half of one: not where writing fails
+ * and not where it is stopped. */
+class UnfinishedFile
+{
+public:
+  explicit UnfinishedFile(const std::string& name)
+    : Final(name)
+    , Unfinished(name + ".part")
+  {
+  }
+  ~UnfinishedFile()
+  {
+    std::error_code ignored;
+    std::filesystem::remove(this->Unfinished, ignored);
+  }
+  UnfinishedFile(const UnfinishedFile&) = delete;
+  void operator=(const UnfinishedFile&) = delete;
+
+  const std::string& Name() const { return this->Unfinished; }
+
+  bool Finish() const
+  {
+    std::error_code failure;
+    std::filesystem::rename(this->Unfinished, this->Final, failure);
+    return !failure;
+  }
+
+private:
+  std::string Final;
+  std::string Unfinished;
+};
 
 /** Whether some faces are in no shell. */
 bool HasLooseFaces(const TopoDS_Shape& shape)
@@ -113,7 +147,10 @@ std::string ReadCADFile(
 std::string WriteSTEPFile(
   const std::string& name, const TopoDS_Shape& shape, const Message_ProgressRange& progress)
 {
-  if (!std::ofstream(name, std::ios::app))
+  std::error_code ignored;
+  const bool exists = std::filesystem::exists(name, ignored);
+  const UnfinishedFile unfinished(name);
+  if (!std::ofstream(unfinished.Name()) || (exists && !std::ofstream(name, std::ios::app)))
   {
     return "cannot be written; check its folder and your rights.";
   }
@@ -121,7 +158,7 @@ std::string WriteSTEPFile(
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetCVal("write.step.unit", "MM");
   if (writer.Transfer(shape, STEPControl_AsIs, Standard_True, progress) != IFSelect_RetDone ||
-    writer.Write(name.c_str()) != IFSelect_RetDone)
+    writer.Write(unfinished.Name().c_str()) != IFSelect_RetDone || !unfinished.Finish())
   {
     return "could not be written; there may be no room for it.";
   }

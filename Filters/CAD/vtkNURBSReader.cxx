@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNURBSReader.h"
 
+#include "ArrayMemory.h"
 #include "CADFile.h"
 #include "CADSession.h"
 #include "FieldArrays.h"
@@ -94,11 +95,16 @@ void vtkNURBSReader::Run::Execute()
     this->Examine();
     this->FillOutput();
     this->AddFields();
+    sbvtk::StopIfAsked(this->Reader);
     return;
   }
   catch (const Failure& caught)
   {
     failure = caught;
+  }
+  catch (const sbvtk::Stopped&)
+  {
+    failure = { ABORTED, "The reader was stopped." };
   }
   catch (const std::bad_alloc&)
   {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClippedSurface.h"
 
+#include "ArrayMemory.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -185,13 +187,13 @@ void ClippedSurface::KeepPointsOfLines()
 //------------------------------------------------------------------------------
 void ClippedSurface::AllocateCells(std::int64_t numberOfPolygons, std::int64_t numberOfCorners)
 {
-  this->Offsets->SetNumberOfValues(numberOfPolygons + 1);
+  SetTuples(this->Offsets, numberOfPolygons + 1);
   this->Offsets->SetValue(0, 0);
-  this->Connectivity->SetNumberOfValues(numberOfCorners);
+  SetTuples(this->Connectivity, numberOfCorners);
   this->OriginalCellIds->SetName("OriginalCellId");
-  this->OriginalCellIds->SetNumberOfValues(this->Lines.NumberOfLines() + numberOfPolygons);
+  SetTuples(this->OriginalCellIds, this->Lines.NumberOfLines() + numberOfPolygons);
   this->SourceIds->SetName("SourceId");
-  this->SourceIds->SetNumberOfValues(this->Lines.NumberOfLines() + numberOfPolygons);
+  SetTuples(this->SourceIds, this->Lines.NumberOfLines() + numberOfPolygons);
 }
 
 //------------------------------------------------------------------------------
@@ -329,7 +331,7 @@ void ClippedSurface::CopyTo(vtkPolyData* output, bool singlePrecision, sb::Execu
 {
   vtkNew<vtkPoints> points;
   points->SetDataType(singlePrecision ? VTK_FLOAT : VTK_DOUBLE);
-  points->SetNumberOfPoints(this->PointSources.NumberOfTuples);
+  SetTuples(points, this->PointSources.NumberOfTuples);
   if (singlePrecision)
   {
     this->CopyPoints(vtkFloatArray::FastDownCast(points->GetData())->GetPointer(0), executor);
@@ -346,8 +348,8 @@ void ClippedSurface::CopyTo(vtkPolyData* output, bool singlePrecision, sb::Execu
   {
     vtkNew<vtkTypeInt64Array> offsets;
     vtkNew<vtkTypeInt64Array> connectivity;
-    offsets->SetNumberOfValues(static_cast<vtkIdType>(this->Lines.Offsets.size()));
-    connectivity->SetNumberOfValues(static_cast<vtkIdType>(this->LineIds.size()));
+    SetTuples(offsets, static_cast<vtkIdType>(this->Lines.Offsets.size()));
+    SetTuples(connectivity, static_cast<vtkIdType>(this->LineIds.size()));
     std::copy(this->Lines.Offsets.begin(), this->Lines.Offsets.end(), offsets->GetPointer(0));
     std::copy(this->LineIds.begin(), this->LineIds.end(), connectivity->GetPointer(0));
     vtkNew<vtkCellArray> lines;

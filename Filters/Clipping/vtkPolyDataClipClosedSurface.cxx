@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPolyDataClipClosedSurface.h"
 
+#include "ArrayMemory.h"
 #include "AttributeUnion.h"
 #include "CapBlocks.h"
 #include "Clip.h"
@@ -95,11 +96,16 @@ void vtkPolyDataClipClosedSurface::Run::Execute()
     this->ReadInput();
     this->Compute();
     this->BuildOutputs();
+    sbvtk::StopIfAsked(this->Filter);
     return;
   }
   catch (const sbvtk::Failure& thrown)
   {
     failure = thrown;
+  }
+  catch (const sbvtk::Stopped&)
+  {
+    failure = sbvtk::FailureOf(sb::Status::Aborted);
   }
   catch (const std::bad_alloc&)
   {
@@ -303,7 +309,7 @@ void vtkPolyDataClipClosedSurface::Run::AddColors(vtkPolyData* output, vtkIntArr
   vtkNew<vtkUnsignedCharArray> array;
   array->SetName(name);
   array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(sources->GetNumberOfValues());
+  sbvtk::SetTuples(array, sources->GetNumberOfValues());
   unsigned char* target = array->GetPointer(0);
   for (vtkIdType i = 0; i < sources->GetNumberOfValues(); ++i)
   {
@@ -321,7 +327,7 @@ void vtkPolyDataClipClosedSurface::Run::AddLabels(vtkPolyData* output, vtkIntArr
 {
   vtkNew<vtkUnsignedCharArray> array;
   array->SetName("Labels");
-  array->SetNumberOfValues(sources->GetNumberOfValues());
+  sbvtk::SetTuples(array, sources->GetNumberOfValues());
   unsigned char* target = array->GetPointer(0);
   for (vtkIdType i = 0; i < sources->GetNumberOfValues(); ++i)
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPolyDataContourTriangulator.h"
 
+#include "ArrayMemory.h"
 #include "AttributeUnion.h"
 #include "ConditionSentences.h"
 #include "ContourFill.h"
@@ -74,19 +75,28 @@ void vtkPolyDataContourTriangulator::Run::Execute()
     this->BuildPoints();
     this->BuildTriangles();
     this->Report();
+    sbvtk::StopIfAsked(this->Filter);
     return;
   }
   catch (const sbvtk::Failure& thrown)
   {
     failure = thrown;
   }
+  catch (const sbvtk::Stopped&)
+  {
+    failure = sbvtk::FailureOf(sb::Status::Aborted);
+  }
   catch (const std::bad_alloc&)
   {
     failure = { OUT_OF_MEMORY, "The result does not fit into memory; close other data first." };
   }
   this->Output->Initialize();
+  this->Result = sb::ContourFillResult();
   this->AddFields(failure.Status, failure.Sentence);
-  vtkErrorWithObjectMacro(this->Filter, << failure.Sentence);
+  if (failure.Status != static_cast<int>(sb::Status::Aborted))
+  {
+    vtkErrorWithObjectMacro(this->Filter, << failure.Sentence);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -95,7 +105,7 @@ void vtkPolyDataContourTriangulator::Run::ReadLines()
   const vtkIdType numberOfPoints = this->Input->GetNumberOfPoints();
   if (numberOfPoints > 0)
   {
-    this->Coordinates->DeepCopy(this->Input->GetPoints()->GetData());
+    sbvtk::CopyTuples(this->Input->GetPoints()->GetData(), this->Coordinates);
   }
   this->Request.Points = this->Coordinates->GetPointer(0);
   this->Request.NumberOfPoints = numberOfPoints;
@@ -135,10 +145,12 @@ void vtkPolyDataContourTriangulator::Run::BuildPoints()
   const vtkIdType before = this->Input->GetNumberOfPoints();
   vtkNew<vtkPoints> points;
   points->SetDataType(this->Input->GetPoints()->GetDataType());
-  points->DeepCopy(this->Input->GetPoints());
+  sbvtk::SetTuples(points, before + static_cast<vtkIdType>(this->Result.Crossings.size()));
+  points->InsertPoints(0, before, 0, this->Input->GetPoints());
+  vtkIdType next = before;
   for (const sb::InterpolatedPoint& crossing : this->Result.Crossings)
   {
-    points->InsertNextPoint(crossing.Position.data());
+    points->SetPoint(next++, crossing.Position.data());
   }
   this->Output->SetPoints(points);
   std::vector<std::int32_t> ids(static_cast<std::size_t>(before));
@@ -165,12 +177,12 @@ void vtkPolyDataContourTriangulator::Run::BuildTriangles()
   vtkNew<vtkTypeInt64Array> connectivity;
   vtkNew<vtkIdTypeArray> polygonIds;
   vtkNew<vtkIntArray> nestings;
-  offsets->SetNumberOfValues(count + 1);
-  connectivity->SetNumberOfValues(3 * count);
+  sbvtk::SetTuples(offsets, count + 1);
+  sbvtk::SetTuples(connectivity, 3 * count);
   polygonIds->SetName("PolygonId");
-  polygonIds->SetNumberOfValues(count);
+  sbvtk::SetTuples(polygonIds, count);
   nestings->SetName("Nesting");
-  nestings->SetNumberOfValues(count);
+  sbvtk::SetTuples(nestings, count);
   offsets->SetValue(0, 0);
   for (vtkIdType i = 0; i < count; ++i)
   {

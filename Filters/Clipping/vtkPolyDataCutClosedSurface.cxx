@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPolyDataCutClosedSurface.h"
 
+#include "ArrayMemory.h"
 #include "AttributeUnion.h"
 #include "CapBlocks.h"
 #include "Cut.h"
@@ -91,11 +92,16 @@ void vtkPolyDataCutClosedSurface::Run::Execute()
       this->Filter->Input->Prepared.Names(), this->Points(), this->Caps, this->Executor);
     this->Times.push_back({ "Build output", this->Watch.Lap() });
     this->Report();
+    sbvtk::StopIfAsked(this->Filter);
     return;
   }
   catch (const sbvtk::Failure& thrown)
   {
     failure = thrown;
+  }
+  catch (const sbvtk::Stopped&)
+  {
+    failure = sbvtk::FailureOf(sb::Status::Aborted);
   }
   catch (const std::bad_alloc&)
   {
@@ -168,7 +174,7 @@ void vtkPolyDataCutClosedSurface::Run::BuildPoints()
     input->GetPoints() && vtkFloatArray::FastDownCast(input->GetPoints()->GetData());
   vtkNew<vtkPoints> points;
   points->SetDataType(isFloat ? VTK_FLOAT : VTK_DOUBLE);
-  points->SetNumberOfPoints(static_cast<vtkIdType>(this->Result.Points.size()));
+  sbvtk::SetTuples(points, static_cast<vtkIdType>(this->Result.Points.size()));
   for (std::size_t i = 0; i < this->Result.Points.size(); ++i)
   {
     points->SetPoint(static_cast<vtkIdType>(i), this->Result.Points[i].Position.data());
@@ -204,8 +210,8 @@ void vtkPolyDataCutClosedSurface::Run::BuildTriangles()
   const auto count = static_cast<vtkIdType>(this->Result.Triangles.size());
   vtkNew<vtkTypeInt64Array> offsets;
   vtkNew<vtkTypeInt64Array> connectivity;
-  offsets->SetNumberOfValues(count + 1);
-  connectivity->SetNumberOfValues(3 * count);
+  sbvtk::SetTuples(offsets, count + 1);
+  sbvtk::SetTuples(connectivity, 3 * count);
   vtkTypeInt64* id = connectivity->GetPointer(0);
   for (vtkIdType i = 0; i <= count; ++i)
   {
@@ -259,7 +265,7 @@ void vtkPolyDataCutClosedSurface::Run::AddCellArrays(const std::vector<std::int3
   for (const auto& array : arrays)
   {
     array.first->SetName(array.second);
-    array.first->SetNumberOfTuples(static_cast<vtkIdType>(polygons.size()));
+    sbvtk::SetTuples(array.first, static_cast<vtkIdType>(polygons.size()));
     this->Caps->GetCellData()->AddArray(array.first);
   }
   for (std::size_t i = 0; i < polygons.size(); ++i)

@@ -4,7 +4,7 @@
  * @file Executor.h
  * @brief What the kernel asks of its host: a parallel loop, and an ear for progress and abort.
  *
- * A front end hands in its own thread pool (the VTK filters use vtkSMPTools). Results never depend
+ * A front end hands in its own thread pool (`ThreadExecutor.h` is one). Results never depend
  * on the number of threads or on the order in which they run.
  */
 #ifndef sb_Executor_h

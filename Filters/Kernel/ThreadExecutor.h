@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ThreadExecutor.h
- * @brief An Executor over a fixed pool of standard threads, for tests and tools that have no host
- * with one of its own.
+ * @brief An Executor over a fixed pool of standard threads.
  */
 #ifndef sb_ThreadExecutor_h
 #define sb_ThreadExecutor_h
@@ -17,6 +16,7 @@
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -26,16 +26,24 @@ namespace sb
 /**
  * The ranges handed out are [0, grain), [grain, 2 grain), ... whatever the number of threads; only
  * who runs which differs. A For inside a For runs in the thread that asked for it. An exception
- * thrown by the body is thrown again by For, after all threads have stopped.
+ * thrown by the body is thrown again by For, after all threads have stopped. Where the system gives
+ * fewer threads than asked for, there are fewer.
  */
 class ThreadExecutor : public Executor
 {
 public:
   explicit ThreadExecutor(int numberOfThreads)
   {
-    for (int thread = 1; thread < numberOfThreads; ++thread)
+    try
     {
-      this->Workers.emplace_back([this] { this->Work(); });
+      for (int thread = 1; thread < numberOfThreads; ++thread)
+      {
+        this->Workers.emplace_back([this] { this->Work(); });
+      }
+    }
+    catch (const std::system_error&)
+    {
+      // No more threads, or no memory for their stacks: those that there are do the work.
     }
   }
 

@@ -41,7 +41,7 @@ vtkSmartPointer<vtkCellArray> MakeCells(const Ids& corners, std::int64_t perCell
 {
   const std::int64_t count = static_cast<std::int64_t>(corners.size()) / perCell;
   vtkNew<vtkTypeInt64Array> offsets;
-  offsets->SetNumberOfValues(count + 1);
+  SetTuples(offsets, count + 1);
   for (std::int64_t i = 0; i <= count; ++i)
   {
     offsets->GetPointer(0)[i] = i * perCell;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CloudInput.h"
 
+#include "ArrayMemory.h"
+
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -34,7 +36,7 @@ vtkSmartPointer<vtkDoubleArray> AsDoubles(vtkDataArray* array)
   if (!doubles)
   {
     doubles = vtkSmartPointer<vtkDoubleArray>::New();
-    doubles->DeepCopy(array);
+    CopyTuples(array, doubles);
   }
   return doubles;
 }
@@ -58,7 +60,7 @@ vtkSmartPointer<vtkPolyData> Joined(const std::vector<vtkPointSet*>& blocks)
     count += block->GetNumberOfPoints();
     common.IntersectFieldList(block->GetPointData());
   }
-  points->SetNumberOfPoints(count);
+  SetTuples(points, count);
   vtkPointData* attributes = joined->GetPointData();
   common.CopyAllocate(attributes, vtkDataSetAttributes::COPYTUPLE, count, 0);
   vtkIdType first = 0;

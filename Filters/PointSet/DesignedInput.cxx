@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DesignedInput.h"
 
+#include "ArrayMemory.h"
 #include "ConditionSentences.h"
 #include "Ingest.h"
 #include "NURBSArrays.h"
@@ -77,7 +78,7 @@ vtkSmartPointer<vtkDoubleArray> Doubles(
     return nullptr;
   }
   const auto doubles = vtkSmartPointer<vtkDoubleArray>::New();
-  doubles->DeepCopy(array);
+  CopyTuples(array, doubles);
   return doubles;
 }
 
@@ -120,7 +121,7 @@ private:
     const vtkIdType count = leaf->GetNumberOfCells();
     vtkNew<vtkIntArray> numbered;
     numbered->SetName(FaceArray);
-    numbered->SetNumberOfValues(count);
+    SetTuples(numbered, count);
     int* ids = numbered->GetPointer(0);
     const double* own = faces ? faces->GetPointer(0) : nullptr;
     for (vtkIdType cell = 0; cell < count; ++cell)
@@ -133,7 +134,7 @@ private:
     {
       places = vtkSmartPointer<vtkDoubleArray>::New();
       places->SetNumberOfComponents(2);
-      places->SetNumberOfTuples(leaf->GetNumberOfPoints());
+      SetTuples(places, leaf->GetNumberOfPoints());
       places->Fill(std::numeric_limits<double>::quiet_NaN());
     }
     places->SetName(ParametersArray);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NURBSArrays.h"
 
+#include "ArrayMemory.h"
 #include "FieldArrays.h"
 
 #include "vtkDataObject.h"
@@ -32,7 +33,7 @@ public:
     vtkDataArray* array = data->GetFieldData()->GetArray(name);
     if (array && array->GetNumberOfComponents() == components)
     {
-      this->Values->DeepCopy(array);
+      CopyTuples(array, this->Values);
       this->Found = true;
     }
   }

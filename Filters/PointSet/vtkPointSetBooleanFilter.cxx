@@ -228,7 +228,7 @@ void vtkPointSetBooleanFilter::Run::RefuseResult() const
     case sb::CloudBooleanStatus::TooLarge:
       throw Failure{ TOO_LARGE, "The result would have more than 2147483647 points; divide it." };
     case sb::CloudBooleanStatus::Aborted:
-      Stop();
+      throw sbvtk::Stopped();
   }
 }
 

@@ -267,7 +267,7 @@ void vtkPointSetIntersectionFilter::Run::StopIf(bool isAborted)
 {
   if (isAborted)
   {
-    Stop();
+    throw sbvtk::Stopped();
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPointSetSurfaceFilter.h"
 
+#include "ArrayMemory.h"
 #include "CloudRun.h"
 #include "CloudSampling.h"
 #include "CloudSentences.h"
@@ -157,7 +158,7 @@ void vtkPointSetSurfaceFilter::Run::Sample()
   if (!sb::SampleCloudSurface(
         *this->Cloud.Surface, this->Input.Points(), count, arrays, this->Executor, monitor))
   {
-    Stop();
+    throw sbvtk::Stopped();
   }
   this->MarkDoubtful(arrays.Normal);
   double squares = 0.0;
@@ -217,14 +218,14 @@ void vtkPointSetSurfaceFilter::Run::BuildPoints()
   }
   else
   {
-    points->DeepCopy(this->Input.Data()->GetPoints());
+    sbvtk::CopyTuples(this->Input.Data()->GetPoints(), points);
   }
   this->Points->SetPoints(points);
   const vtkIdType count = this->Count();
   vtkNew<vtkIdTypeArray> offsets;
   vtkNew<vtkIdTypeArray> ids;
-  offsets->SetNumberOfValues(count + 1);
-  ids->SetNumberOfValues(count);
+  sbvtk::SetTuples(offsets, count + 1);
+  sbvtk::SetTuples(ids, count);
   for (vtkIdType i = 0; i < count; ++i)
   {
     offsets->GetPointer(0)[i] = i;
@@ -252,7 +253,7 @@ void vtkPointSetSurfaceFilter::Run::BuildMesh()
   const sb::PointSurfaceMesh& mesh = *kept;
   if (mesh.End == sb::PointSurfaceMesh::Ending::Aborted)
   {
-    Stop();
+    throw sbvtk::Stopped();
   }
   if (mesh.End == sb::PointSurfaceMesh::Ending::TooFine)
   {
@@ -272,9 +273,9 @@ void vtkPointSetSurfaceFilter::Run::BuildMesh()
   points->SetData(coordinates);
   vtkNew<vtkTypeInt32Array> offsets;
   vtkNew<vtkTypeInt32Array> corners;
-  corners->SetNumberOfValues(static_cast<vtkIdType>(mesh.Triangles.size()));
+  sbvtk::SetTuples(corners, static_cast<vtkIdType>(mesh.Triangles.size()));
   std::copy(mesh.Triangles.begin(), mesh.Triangles.end(), corners->GetPointer(0));
-  offsets->SetNumberOfValues(corners->GetNumberOfValues() / 3 + 1);
+  sbvtk::SetTuples(offsets, corners->GetNumberOfValues() / 3 + 1);
   for (vtkIdType i = 0; i < offsets->GetNumberOfValues(); ++i)
   {
     offsets->GetPointer(0)[i] = static_cast<int>(3 * i);

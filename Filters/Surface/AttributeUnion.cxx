@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AttributeUnion.h"
 
+#include "ArrayMemory.h"
 #include "BlockNames.h"
 
 #include "vtkAbstractArray.h"
@@ -58,7 +59,7 @@ vtkSmartPointer<vtkAbstractArray> AsType(vtkAbstractArray* array, int type)
     return array;
   }
   const auto converted = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
-  converted->DeepCopy(vtkDataArray::SafeDownCast(array));
+  CopyTuples(vtkDataArray::SafeDownCast(array), converted);
   return converted;
 }
 
@@ -349,7 +350,7 @@ vtkSmartPointer<vtkAbstractArray> AttributeUnion::Carry(
   target->SetName(column.Name.c_str());
   target->SetNumberOfComponents(column.First->GetNumberOfComponents());
   target->CopyComponentNames(column.First);
-  target->SetNumberOfTuples(from.NumberOfTuples);
+  SetTuples(target, from.NumberOfTuples);
   switch (target->GetDataType())
   {
     vtkTemplateMacro(

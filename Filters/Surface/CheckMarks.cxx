@@ -9,6 +9,7 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -17,7 +18,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace sbvtk
@@ -57,6 +57,14 @@ void AddArray(
   attributes->AddArray(array);
 }
 
+vtkSmartPointer<vtkIdTypeArray> IdsOf(const std::vector<vtkIdType>& values)
+{
+  const auto array = vtkSmartPointer<vtkIdTypeArray>::New();
+  SetTuples(array, static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
+}
+
 /** What stays of the points and of the cells, by their ids in the data set; null if all do. */
 struct Kept
 {
@@ -67,15 +75,15 @@ struct Kept
   vtkIdType Cell(vtkIdType i) const { return this->Cells ? this->Cells->GetId(i) : i; }
 };
 
-/** The tuples of what stays, in the attributes of the output. */
-void CopyTuples(vtkDataSetAttributes* from, vtkIdList* kept, vtkDataSetAttributes* to)
+/** The tuples of what stays, in the attributes of the output; `count` is how many there were. */
+void CopyTuples(
+  vtkDataSetAttributes* from, vtkIdType count, vtkIdList* kept, vtkDataSetAttributes* to)
 {
-  vtkNew<vtkIdList> places;
-  places->SetNumberOfIds(kept->GetNumberOfIds());
-  std::iota(places->begin(), places->end(), 0);
-  to->CopyAllOn();
-  to->CopyAllocate(from, kept->GetNumberOfIds());
-  to->CopyData(from, kept, places);
+  TupleSources tuples;
+  tuples.NumberOfTuples = kept->GetNumberOfIds();
+  tuples.Runs.push_back({ 0, 0, kept->GetNumberOfIds(), nullptr, kept->GetPointer(0) });
+  sb::SerialExecutor executor;
+  AttributeUnion({ { from, count, "Input" } }, "").CopyTo(to, tuples, executor);
 }
 
 /** The surface without its unusable cells, and without points that have no place. */
@@ -103,7 +111,7 @@ public:
   {
     vtkNew<vtkPoints> points;
     points->SetDataType(this->Surface->GetPoints()->GetDataType());
-    points->SetNumberOfPoints(this->Left.Points->GetNumberOfIds());
+    SetTuples(points, this->Left.Points->GetNumberOfIds());
     this->Surface->GetPoints()->GetData()->GetTuples(this->Left.Points, points->GetData());
     output->SetPoints(points);
     vtkIdType first = 0;
@@ -117,25 +125,31 @@ public:
       first += cells->GetNumberOfCells();
     }
     output->GetFieldData()->ShallowCopy(this->Surface->GetFieldData());
-    CopyTuples(this->Surface->GetPointData(), this->Left.Points, output->GetPointData());
-    CopyTuples(this->Surface->GetCellData(), this->Left.Cells, output->GetCellData());
+    CopyTuples(this->Surface->GetPointData(), this->Surface->GetNumberOfPoints(), this->Left.Points,
+      output->GetPointData());
+    CopyTuples(this->Surface->GetCellData(), this->Surface->GetNumberOfCells(), this->Left.Cells,
+      output->GetCellData());
     return this->Left;
   }
 
 private:
   vtkSmartPointer<vtkCellArray> Selected(vtkCellArray* cells, vtkIdType first)
   {
-    const auto result = vtkSmartPointer<vtkCellArray>::New();
+    std::vector<vtkIdType> offsets{ 0 };
+    std::vector<vtkIdType> corners;
     vtkNew<vtkIdList> ids;
     for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
     {
       cells->GetCellAtId(i, ids);
       if (!this->Marks.IsUnusable(first + i) && this->Rename(ids))
       {
-        result->InsertNextCell(ids);
+        corners.insert(corners.end(), ids->begin(), ids->end());
+        offsets.push_back(static_cast<vtkIdType>(corners.size()));
         this->Left.Cells->InsertNextId(first + i);
       }
     }
+    const auto result = vtkSmartPointer<vtkCellArray>::New();
+    result->SetData(IdsOf(offsets), IdsOf(corners));
     return result;
   }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DefectLines.h"
 
+#include "ArrayMemory.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -139,7 +141,7 @@ vtkSmartPointer<vtkPoints> PointsOf(const std::vector<Place>& places, bool singl
 {
   const auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataType(singlePrecision ? VTK_FLOAT : VTK_DOUBLE);
-  points->SetNumberOfPoints(static_cast<vtkIdType>(places.size()));
+  SetTuples(points, static_cast<vtkIdType>(places.size()));
   if (!places.empty())
   {
     void* target = points->GetData()->GetVoidPointer(0);
@@ -154,8 +156,8 @@ vtkSmartPointer<vtkCellArray> CellsOf(const Item* begin, const Item* end, int si
   vtkNew<vtkTypeInt64Array> offsets;
   vtkNew<vtkTypeInt64Array> connectivity;
   const auto count = static_cast<vtkIdType>(end - begin);
-  offsets->SetNumberOfValues(count + 1);
-  connectivity->SetNumberOfValues(size * count);
+  SetTuples(offsets, count + 1);
+  SetTuples(connectivity, size * count);
   for (vtkIdType i = 0; i <= count; ++i)
   {
     offsets->SetValue(i, size * i);
@@ -185,7 +187,7 @@ void AddArrays(const std::vector<Item>& items, const OperandSurface& surface, vt
   for (vtkDataArray* array : { static_cast<vtkDataArray*>(kinds), static_cast<vtkDataArray*>(loops),
          static_cast<vtkDataArray*>(counts), static_cast<vtkDataArray*>(cells) })
   {
-    array->SetNumberOfTuples(count);
+    SetTuples(array, count);
     output->GetCellData()->AddArray(array);
   }
   for (vtkIdType i = 0; i < count; ++i)

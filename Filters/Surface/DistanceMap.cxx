@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistanceMap.h"
 
+#include "ArrayMemory.h"
 #include "FieldArrays.h"
 
 #include "DistanceSampling.h"

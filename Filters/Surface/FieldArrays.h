@@ -7,6 +7,7 @@
 #ifndef FieldArrays_h
 #define FieldArrays_h
 
+#include "ArrayMemory.h"
 #include "Boolean.h"
 
 #include "vtkDataObject.h"
@@ -26,18 +27,18 @@
 namespace sbvtk
 {
 
-/** An array whose values are still to be written, at GetPointer(0). */
+/** An array whose values are still to be written, at GetPointer(0). @throw std::bad_alloc */
 template <typename Array>
 vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tuples)
 {
   const auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
+  SetTuples(array, tuples);
   return array;
 }
 
-/** An array with a copy of the values. */
+/** An array with a copy of the values. @throw std::bad_alloc */
 template <typename Array, typename Values>
 vtkSmartPointer<Array> ArrayOf(const char* name, int components, const Values& values)
 {
@@ -52,7 +53,7 @@ void AddField(vtkDataObject* output, const char* name, const std::vector<Value>&
 {
   vtkNew<Array> array;
   array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  SetTuples(array, static_cast<vtkIdType>(values.size()));
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     array->SetValue(static_cast<vtkIdType>(i), values[i]);

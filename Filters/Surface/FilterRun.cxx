@@ -33,10 +33,15 @@ void FilterRun::Execute()
   {
     this->TakeSteps();
     this->AddFields(this->Status, this->Message);
+    StopIfAsked(this->Owner);
   }
   catch (const Failure& failure)
   {
     this->Fail(failure);
+  }
+  catch (const Stopped&)
+  {
+    this->Fail({ Aborted, "The filter was stopped." });
   }
   catch (const std::bad_alloc&)
   {
@@ -67,7 +72,5 @@ void FilterRun::Warn(int status, const std::string& sentence)
     this->Message = sentence;
   }
 }
-
-void FilterRun::Stop() { throw Failure{ Aborted, "The filter was stopped." }; }
 
 } // namespace sbvtk

@@ -49,8 +49,6 @@ protected:
   /** Warn the user; the first warning is what AddFields gets. */
   void Warn(int status, const std::string& sentence);
 
-  [[noreturn]] static void Stop();
-
   vtkAlgorithm* const Owner;
   KernelExecutor Executor;
   Stopwatch Watch;

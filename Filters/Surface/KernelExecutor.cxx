@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "KernelExecutor.h"
 
+#include "ThreadExecutor.h"
+
 #include "vtkAlgorithm.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <chrono>
-#include <exception>
-#include <mutex>
-#include <string>
+#include <cstdlib>
 
 namespace sbvtk
 {
@@ -23,12 +22,39 @@ constexpr std::chrono::milliseconds Beat(100);
 
 /** The monitor of the kernel that this thread runs, if any. */
 thread_local KernelMonitor* Listening = nullptr;
+
+/** The threads that work for this one, if any. */
+thread_local sb::ThreadExecutor* Workers = nullptr;
+
+/** As many as were asked for, but not more than there are cores; 0 asks for all that VTK may use.
+ */
+int ThreadsToStart(int asked)
+{
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const char* most = std::getenv("VTK_SMP_MAX_THREADS");
+  const int wanted = asked > 0 ? asked : most ? std::atoi(most) : cores;
+  return wanted > 0 ? std::min(wanted, cores) : cores;
 }
 
-int KernelExecutor::NumberOfThreads() const
+/** Lets threads work for this one while it lives. */
+class Employment
 {
-  return std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+public:
+  explicit Employment(sb::ThreadExecutor& threads)
+    : Before(Workers)
+  {
+    Workers = &threads;
+  }
+  ~Employment() { Workers = this->Before; }
+  Employment(const Employment&) = delete;
+  void operator=(const Employment&) = delete;
+
+private:
+  sb::ThreadExecutor* Before;
+};
 }
+
+int KernelExecutor::NumberOfThreads() const { return Workers ? Workers->NumberOfThreads() : 1; }
 
 void KernelExecutor::For(std::int64_t count, std::int64_t grain,
   const std::function<void(std::int64_t, std::int64_t)>& body)
@@ -36,11 +62,9 @@ void KernelExecutor::For(std::int64_t count, std::int64_t grain,
   grain = std::max<std::int64_t>(1, grain);
   const std::int64_t numberOfRanges = (count + grain - 1) / grain;
   std::atomic<std::int64_t> nextRange{ 0 };
-  std::exception_ptr failure;
-  std::mutex failureGuard;
 
   Clock::time_point pause;
-  const auto takeRanges = [&](vtkIdType, vtkIdType) {
+  const auto takeRanges = [&](std::int64_t, std::int64_t) {
     for (std::int64_t range = nextRange++; range < numberOfRanges; range = nextRange++)
     {
       try
@@ -49,9 +73,8 @@ void KernelExecutor::For(std::int64_t count, std::int64_t grain,
       }
       catch (...)
       {
-        const std::lock_guard<std::mutex> lock(failureGuard);
-        failure = failure ? failure : std::current_exception();
-        nextRange = numberOfRanges;
+        nextRange = numberOfRanges; // so that all stop
+        throw;
       }
       if (Clock::now() >= pause)
       {
@@ -60,46 +83,36 @@ void KernelExecutor::For(std::int64_t count, std::int64_t grain,
     }
   };
 
-  // One task a thread, which takes ranges until none is left: the queue of vtkSMPTools costs more
-  // than a small range. Where somebody listens all tasks pause now and then, because only this
-  // thread, which waits for them, may ask whether to stop.
+  // One task a thread, which takes ranges until none is left. Where somebody listens all tasks
+  // pause now and then, because only this thread, which waits for them, may ask whether to stop.
+  sb::SerialExecutor alone;
+  sb::Executor& threads = Workers ? static_cast<sb::Executor&>(*Workers) : alone;
   const std::int64_t numberOfTasks =
-    std::min<std::int64_t>(this->NumberOfThreads(), numberOfRanges);
+    std::min<std::int64_t>(threads.NumberOfThreads(), numberOfRanges);
   do
   {
     pause = Listening ? Clock::now() + Beat : Clock::time_point::max();
-    if (numberOfTasks > 1)
-    {
-      vtkSMPTools::For(0, numberOfTasks, 1, takeRanges);
-    }
-    else
-    {
-      takeRanges(0, 1);
-    }
+    threads.For(numberOfTasks, 1, takeRanges);
     if (Listening)
     {
       Listening->Aborted();
     }
   } while (nextRange < numberOfRanges);
-  if (failure)
-  {
-    std::rethrow_exception(failure);
-  }
 }
 
 void RunWithThreads(int numberOfThreads, const std::function<void()>& work)
 {
-  std::string backend = vtkSMPTools::GetBackend();
-  if (numberOfThreads == 1)
+  sb::ThreadExecutor threads(ThreadsToStart(numberOfThreads));
+  const Employment employment(threads);
+  work();
+}
+
+void StopIfAsked(vtkAlgorithm* filter)
+{
+  if (filter->CheckAbort())
   {
-    backend = "Sequential";
+    throw Stopped();
   }
-  else if (backend == "Sequential")
-  {
-    backend = "STDThread";
-  }
-  vtkSMPTools::LocalScope(
-    vtkSMPTools::Config{ std::max(0, numberOfThreads), backend, false }, [&work]() { work(); });
 }
 
 KernelMonitor::KernelMonitor(vtkAlgorithm* filter, double first, double last)

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file KernelExecutor.h
- * @brief The kernel's parallel loop on vtkSMPTools, and its ear for progress and abort on a
- * vtkAlgorithm.
+ * @brief The kernel's parallel loop on threads that live for one update, and its ear for progress
+ * and abort on a vtkAlgorithm.
  */
 #ifndef KernelExecutor_h
 #define KernelExecutor_h
@@ -22,8 +22,9 @@ namespace sbvtk
 {
 
 /**
- * Hands out the ranges [0, grain), [grain, 2 grain), ... to the threads of vtkSMPTools, whatever
- * their number. An exception that the body throws is thrown again by For.
+ * Hands out the ranges [0, grain), [grain, 2 grain), ... to the threads of RunWithThreads, whatever
+ * their number; outside of that there is only the caller. An exception that the body throws is
+ * thrown again by For.
  */
 class SBSURFACE_EXPORT KernelExecutor : public sb::Executor
 {
@@ -34,11 +35,21 @@ public:
 };
 
 /**
- * Run `work` with that many threads (0: one a core). The packaged VTK runs vtkSMPTools in one
- * thread unless it is told otherwise, so this asks for standard threads where no other backend has
- * been chosen.
+ * Run `work` with that many threads (0: one a core, or as many as VTK_SMP_MAX_THREADS says), or
+ * fewer if the system does not give them. They are threads of our own: vtkSMPTools must not be
+ * called by two filters at once, as its settings are the process's, and it ends the program where
+ * no thread can be started.
  */
 SBSURFACE_EXPORT void RunWithThreads(int numberOfThreads, const std::function<void()>& work);
+
+/** Thrown by StopIfAsked. */
+struct Stopped
+{
+};
+
+/** End an update that somebody asked to stop after the kernel was done.
+ * @throw Stopped */
+SBSURFACE_EXPORT void StopIfAsked(vtkAlgorithm* filter);
 
 /**
  * Passes the kernel's progress on as a share of the filter's, and the filter's abort flag to the

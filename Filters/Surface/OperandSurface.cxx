@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OperandSurface.h"
 
+#include "ArrayMemory.h"
 #include "PolygonTriangulation.h"
 #include "SnappedPoints.h"
 
@@ -171,7 +172,7 @@ void OperandSurface::ConvertPoints(sb::Executor& executor)
     return;
   }
   vtkNew<vtkDoubleArray> doubles; // other number types and memory layouts are rare
-  doubles->DeepCopy(points->GetData());
+  CopyTuples(points->GetData(), doubles);
   std::copy_n(doubles->GetPointer(0), 3 * numberOfPoints, target);
 }
 

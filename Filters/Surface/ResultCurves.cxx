@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ResultCurves.h"
 
+#include "ArrayMemory.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -44,7 +46,7 @@ void CopyCurves(const sb::Curves& curves, bool singlePrecision, vtkPolyData* out
 {
   vtkNew<vtkPoints> points;
   points->SetDataType(singlePrecision ? VTK_FLOAT : VTK_DOUBLE);
-  points->SetNumberOfPoints(static_cast<vtkIdType>(curves.Points.size()));
+  SetTuples(points, static_cast<vtkIdType>(curves.Points.size()));
   if (!curves.Points.empty())
   {
     void* target = points->GetData()->GetVoidPointer(0);
@@ -58,10 +60,10 @@ void CopyCurves(const sb::Curves& curves, bool singlePrecision, vtkPolyData* out
   vtkNew<vtkUnsignedCharArray> closed;
   lengths->SetName("Length");
   closed->SetName("Closed");
-  offsets->SetNumberOfValues(static_cast<vtkIdType>(numberOfCurves) + 1);
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(curves.Connectivity.size()));
-  lengths->SetNumberOfValues(static_cast<vtkIdType>(numberOfCurves));
-  closed->SetNumberOfValues(static_cast<vtkIdType>(numberOfCurves));
+  SetTuples(offsets, static_cast<vtkIdType>(numberOfCurves) + 1);
+  SetTuples(connectivity, static_cast<vtkIdType>(curves.Connectivity.size()));
+  SetTuples(lengths, static_cast<vtkIdType>(numberOfCurves));
+  SetTuples(closed, static_cast<vtkIdType>(numberOfCurves));
   std::copy(curves.Connectivity.begin(), curves.Connectivity.end(), connectivity->GetPointer(0));
   vtkTypeInt64* offsetsOut = offsets->GetPointer(0);
   *offsetsOut = 0;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ResultSurface.h"
 
+#include "ArrayMemory.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -350,11 +352,11 @@ void ResultSurface::Allocate()
   const Part end = this->Parts.empty() ? Part() : this->Parts.back();
   const std::int64_t numberOfCells = end.FirstCell + end.NumberOfCells;
   this->CellSources.NumberOfTuples = numberOfCells;
-  this->Connectivity->SetNumberOfValues(end.FirstCorner + end.NumberOfCorners);
-  this->Offsets->SetNumberOfValues(numberOfCells + 1);
+  SetTuples(this->Connectivity, end.FirstCorner + end.NumberOfCorners);
+  SetTuples(this->Offsets, numberOfCells + 1);
   this->Offsets->SetValue(0, 0);
-  this->SourceIds->SetNumberOfValues(numberOfCells);
-  this->OriginalCellIds->SetNumberOfValues(numberOfCells);
+  SetTuples(this->SourceIds, numberOfCells);
+  SetTuples(this->OriginalCellIds, numberOfCells);
   this->Reversed.resize(this->Options.KeepReversal ? numberOfCells : 0);
   this->CellOrigins.resize(this->Options.KeepOrigins ? numberOfCells : 0);
 }
@@ -459,7 +461,7 @@ void ResultSurface::CopyTo(vtkPolyData* output, sb::Executor& executor) const
 {
   vtkNew<vtkPoints> points;
   points->SetDataType(this->Options.SinglePrecision ? VTK_FLOAT : VTK_DOUBLE);
-  points->SetNumberOfPoints(this->PointSources.NumberOfTuples);
+  SetTuples(points, this->PointSources.NumberOfTuples);
   if (this->Options.SinglePrecision)
   {
     this->CopyPoints(vtkFloatArray::FastDownCast(points->GetData())->GetPointer(0), executor);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SnappedPoints.h"
 
+#include "ArrayMemory.h"
+
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkPoints.h"
@@ -46,7 +48,7 @@ vtkSmartPointer<vtkPoints> SnappedPoints(
   const bool isFloat = vtkFloatArray::FastDownCast(points->GetData()) != nullptr;
   auto snapped = vtkSmartPointer<vtkPoints>::New();
   snapped->SetDataType(isFloat ? VTK_FLOAT : VTK_DOUBLE);
-  snapped->DeepCopy(points);
+  CopyTuples(points->GetData(), snapped->GetData());
   const std::int64_t count = 3 * snapped->GetNumberOfPoints();
   const int exponent = ExponentOfStep(tolerance);
   if (isFloat)

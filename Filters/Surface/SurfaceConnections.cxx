@@ -16,6 +16,14 @@ namespace sbvtk
 {
 
 //------------------------------------------------------------------------------
+FilterFailure FailureOf(sb::Status condition, const std::string& name)
+{
+  sb::Remark remark;
+  remark.Condition = condition;
+  return { static_cast<int>(condition), ConditionSentence(remark, name, -1) };
+}
+
+//------------------------------------------------------------------------------
 void MatchConnections(SurfaceConnections& last, vtkInformationVector** inputs)
 {
   SurfaceConnections connections;
@@ -56,10 +64,7 @@ void ReadConnections(SurfaceConnections& connections, vtkInformationVector** inp
     vtkPolyData* surface = connection.Input.Surface();
     if (!OperandSurface::FitsInt32(surface))
     {
-      sb::Remark remark;
-      remark.Condition = sb::Status::TooLarge;
-      throw FilterFailure{ static_cast<int>(remark.Condition),
-        ConditionSentence(remark, connection.Name, -1) };
+      throw FailureOf(sb::Status::TooLarge, connection.Name);
     }
     if (connection.Surface && connection.Surface->IsConversionOf(surface, tolerance))
     {

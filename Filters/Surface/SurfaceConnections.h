@@ -13,6 +13,7 @@
 #include "FilterFailure.h"
 #include "OperandSurface.h"
 #include "SurfaceInput.h"
+#include "sbSurfaceModule.h" // for the export macro
 
 #include <memory>
 #include <string>
@@ -22,6 +23,9 @@ class vtkInformationVector;
 
 namespace sbvtk
 {
+
+/** A condition of the kernel that ends an update. */
+SBSURFACE_EXPORT FilterFailure FailureOf(sb::Status condition, const std::string& name = "Input");
 
 /** One connection of a port, and what is known of it from the last update. */
 struct SurfaceConnection

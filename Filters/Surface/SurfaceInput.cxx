@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceInput.h"
 
+#include "ArrayMemory.h"
 #include "AttributeUnion.h"
 
 #include "vtkCellArray.h"
@@ -12,6 +13,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <numeric>
@@ -41,7 +43,7 @@ vtkSmartPointer<vtkPoints> MergedPoints(const std::vector<vtkPolyData*>& leaves)
       points->SetDataType(VTK_DOUBLE);
     }
   }
-  points->SetNumberOfPoints(numberOfPoints);
+  SetTuples(points, numberOfPoints);
   vtkIdType first = 0;
   for (vtkPolyData* leaf : leaves)
   {
@@ -54,17 +56,51 @@ vtkSmartPointer<vtkPoints> MergedPoints(const std::vector<vtkPolyData*>& leaves)
   return points;
 }
 
+/** Copy ids of 32 or of 64 bits, each plus `shift`. @return the end of the copies */
+vtkTypeInt64* CopyShifted(
+  vtkDataArray* ids, vtkIdType count, vtkTypeInt64 shift, vtkTypeInt64* target)
+{
+  const void* source = count > 0 ? ids->GetVoidPointer(0) : nullptr;
+  const auto shifted = [shift](vtkTypeInt64 id) { return id + shift; };
+  return ids->GetDataTypeSize() == 8
+    ? std::transform(static_cast<const vtkTypeInt64*>(source),
+        static_cast<const vtkTypeInt64*>(source) + count, target, shifted)
+    : std::transform(static_cast<const vtkTypeInt32*>(source),
+        static_cast<const vtkTypeInt32*>(source) + count, target, shifted);
+}
+
 /** Cells of one kind of all leaves, in the order of the leaves. */
 vtkSmartPointer<vtkCellArray> MergedCells(
   const std::vector<vtkPolyData*>& leaves, vtkCellArray* (vtkPolyData::*cellsOf)())
 {
-  const auto cells = vtkSmartPointer<vtkCellArray>::New();
-  vtkIdType firstPoint = 0;
+  vtkIdType numberOfCells = 0;
+  vtkIdType numberOfCorners = 0;
   for (vtkPolyData* leaf : leaves)
   {
-    cells->Append((leaf->*cellsOf)(), firstPoint);
+    numberOfCells += (leaf->*cellsOf)()->GetNumberOfCells();
+    numberOfCorners += (leaf->*cellsOf)()->GetNumberOfConnectivityIds();
+  }
+  vtkNew<vtkTypeInt64Array> offsets;
+  vtkNew<vtkTypeInt64Array> corners;
+  SetTuples(offsets, numberOfCells + 1);
+  SetTuples(corners, numberOfCorners);
+  vtkTypeInt64* nextOffset = offsets->GetPointer(0);
+  vtkTypeInt64* nextCorner = corners->GetPointer(0);
+  vtkTypeInt64 firstCorner = 0;
+  vtkTypeInt64 firstPoint = 0;
+  for (vtkPolyData* leaf : leaves)
+  {
+    vtkCellArray* cells = (leaf->*cellsOf)();
+    const vtkIdType count = cells->GetNumberOfCells();
+    nextOffset = CopyShifted(cells->GetOffsetsArray(), count, firstCorner, nextOffset);
+    firstCorner += cells->GetNumberOfConnectivityIds();
+    nextCorner = CopyShifted(
+      cells->GetConnectivityArray(), cells->GetNumberOfConnectivityIds(), firstPoint, nextCorner);
     firstPoint += leaf->GetNumberOfPoints();
   }
+  *nextOffset = firstCorner;
+  const auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, corners);
   return cells;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkImplicitPolyData.h"
 
+#include "ArrayMemory.h"
 #include "DistanceSampling.h"
 #include "DistanceSurface.h"
 #include "KernelExecutor.h"
@@ -11,6 +12,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -131,7 +133,7 @@ void vtkImplicitPolyData::EvaluateFunction(vtkDataArray* input, vtkDataArray* ou
 {
   const vtkIdType count = input->GetNumberOfTuples();
   output->SetNumberOfComponents(1);
-  output->SetNumberOfTuples(count);
+  sbvtk::SetTuples(output, count);
   const sb::SurfaceDistance* surface = this->Internal->Ready(this);
   if (!surface)
   {
@@ -142,20 +144,24 @@ void vtkImplicitPolyData::EvaluateFunction(vtkDataArray* input, vtkDataArray* ou
   if (!points)
   {
     points = vtkSmartPointer<vtkDoubleArray>::New();
-    points->DeepCopy(input);
+    sbvtk::CopyTuples(input, points);
   }
   vtkNew<vtkDoubleArray> distances;
   distances->SetName(output->GetName()); // which the copy below takes over
-  distances->SetNumberOfTuples(count);
+  sbvtk::SetTuples(distances, count);
   sb::DistanceRequest request;
   request.Points = points->GetPointer(0);
   request.Count = count;
   request.Rule = this->Internal->Rule(this);
   sb::DistanceArrays arrays;
   arrays.Distance = distances->GetPointer(0);
-  sbvtk::KernelExecutor executor;
-  sb::Monitor monitor;
-  sb::SampleDistances(*surface, request, arrays, executor, monitor);
+  // An implicit function may be asked by many threads at once, so it starts more of them only where
+  // vtkSMPTools has been told to.
+  sbvtk::RunWithThreads(vtkSMPTools::GetEstimatedNumberOfThreads(), [&] {
+    sbvtk::KernelExecutor executor;
+    sb::Monitor monitor;
+    sb::SampleDistances(*surface, request, arrays, executor, monitor);
+  });
   std::for_each(arrays.Distance, arrays.Distance + count, [this](double& distance) {
     distance = std::isnan(distance)            ? this->NoValue
       : std::fabs(distance) <= this->Tolerance ? 0.0

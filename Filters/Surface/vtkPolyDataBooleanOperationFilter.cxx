@@ -87,10 +87,15 @@ void vtkPolyDataBooleanOperationFilter::Run::Execute()
     this->Compute();
     this->Report();
     this->BuildOutputs();
+    sbvtk::StopIfAsked(this->Filter);
   }
   catch (const Failure& failure)
   {
     this->Fail(failure);
+  }
+  catch (const sbvtk::Stopped&)
+  {
+    this->Fail(sbvtk::FailureOf(sb::Status::Aborted));
   }
   catch (const std::bad_alloc&)
   {

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPolyDataDistance.h"
 
+#include "ArrayMemory.h"
 #include "BlockNames.h"
-#include "ConditionSentences.h"
 #include "DistanceMap.h"
 #include "DistanceSurface.h"
 #include "FieldArrays.h"
 #include "KernelExecutor.h"
 #include "RankGathering.h"
 #include "SamplePlaces.h"
+#include "SurfaceConnections.h"
 #include "SurfaceInput.h"
 #include "TimeSteps.h"
 
@@ -107,25 +108,18 @@ private:
 namespace
 {
 
-sbvtk::DistanceSurface::Remark Stopped()
-{
-  sb::Remark remark;
-  remark.Condition = sb::Status::Aborted;
-  return { static_cast<int>(remark.Condition), sbvtk::ConditionSentence(remark, "", -1), true };
-}
-
 void FillPlaces(
   const std::vector<double>& coordinates, const std::vector<double>& distances, vtkPolyData* places)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(coordinates.size() / 3));
+  sbvtk::SetTuples(points, static_cast<vtkIdType>(coordinates.size() / 3));
   std::copy(coordinates.begin(), coordinates.end(),
     vtkDoubleArray::FastDownCast(points->GetData())->GetPointer(0));
   places->SetPoints(points);
   vtkNew<vtkDoubleArray> values;
   values->SetName("Distance");
-  values->SetNumberOfValues(static_cast<vtkIdType>(distances.size()));
+  sbvtk::SetTuples(values, static_cast<vtkIdType>(distances.size()));
   std::copy(distances.begin(), distances.end(), values->GetPointer(0));
   places->GetPointData()->AddArray(values);
 }
@@ -140,6 +134,12 @@ sbvtk::DistanceSurface::Remark OutOfMemory()
 {
   return { vtkPolyDataDistance::OUT_OF_MEMORY,
     "The result does not fit into memory; decimate the Tool or close other data first.", true };
+}
+
+sbvtk::DistanceSurface::Remark WasStopped()
+{
+  const sbvtk::FilterFailure stopped = sbvtk::FailureOf(sb::Status::Aborted);
+  return { stopped.Status, stopped.Sentence, true };
 }
 
 } // namespace
@@ -173,10 +173,15 @@ void vtkPolyDataDistance::Run::Execute()
         this->Gravest.Sentence.empty() ? std::string("The result is complete.")
                                        : this->Gravest.Sentence);
     }
+    this->Alone([this] { sbvtk::StopIfAsked(this->Filter); });
   }
   catch (const Remark& failure)
   {
     this->Fail(failure);
+  }
+  catch (const sbvtk::Stopped&)
+  {
+    this->Fail(WasStopped());
   }
   catch (const std::bad_alloc&)
   {
@@ -203,6 +208,10 @@ void vtkPolyDataDistance::Run::Alone(const std::function<void()>& step)
   catch (const Remark& thrown)
   {
     failure = thrown;
+  }
+  catch (const sbvtk::Stopped&)
+  {
+    failure = WasStopped();
   }
   catch (const std::bad_alloc&)
   {
@@ -373,7 +382,7 @@ void vtkPolyDataDistance::Run::MapInput()
   {
     if (!map.AddTo(leaf, this->Executor, monitor))
     {
-      throw Stopped();
+      throw sbvtk::Stopped();
     }
   }
   this->BadPoints = map.NumberOfBadPoints();
@@ -476,7 +485,7 @@ void vtkPolyDataDistance::Run::MapTool()
   sbvtk::DistanceMap map(this->Filter->Kept->InputSurface, this->Options());
   if (!map.AddTo(this->Second, this->Executor, monitor))
   {
-    throw Stopped();
+    throw sbvtk::Stopped();
   }
   this->Distances = map.TakeDistances();
 }

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPolyDataDistanceField.h"
 
-#include "ConditionSentences.h"
+#include "ArrayMemory.h"
 #include "DistanceMap.h"
 #include "DistanceSampling.h"
 #include "DistanceSurface.h"
 #include "FieldArrays.h"
 #include "KernelExecutor.h"
 #include "RankGathering.h"
+#include "SurfaceConnections.h"
 #include "SurfaceInput.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -94,11 +95,17 @@ void vtkPolyDataDistanceField::Run::Execute()
     this->PlaceImage();
     this->TakeOwnPart();
     this->Sample();
+    sbvtk::StopIfAsked(this->Filter);
     this->Finish(this->Gravest);
   }
   catch (const Remark& failure)
   {
     this->Finish(failure);
+  }
+  catch (const sbvtk::Stopped&)
+  {
+    const sbvtk::FilterFailure stopped = sbvtk::FailureOf(sb::Status::Aborted);
+    this->Finish({ stopped.Status, stopped.Sentence, true });
   }
   catch (const std::bad_alloc&)
   {
@@ -250,7 +257,7 @@ void vtkPolyDataDistanceField::Run::Sample()
 {
   vtkNew<vtkFloatArray> distances;
   distances->SetName("Distance");
-  distances->SetNumberOfTuples(this->Image->GetNumberOfPoints());
+  sbvtk::SetTuples(distances, this->Image->GetNumberOfPoints());
   int dimensions[3];
   this->Image->GetDimensions(dimensions);
   const std::int64_t slice = std::max(std::int64_t(1), std::int64_t(dimensions[0]) * dimensions[1]);
@@ -305,10 +312,7 @@ void vtkPolyDataDistanceField::Run::SampleSlices(
   if (!sb::SampleDistances(
         this->Filter->Kept->Surface.Distances(), request, arrays, this->Executor, monitor))
   {
-    sb::Remark remark;
-    remark.Condition = sb::Status::Aborted;
-    throw Remark{ static_cast<int>(remark.Condition), sbvtk::ConditionSentence(remark, "", -1),
-      true };
+    throw sbvtk::Stopped();
   }
   const double factor = this->Filter->NegateDistance && this->Filter->SignedDistance ? -1.0 : 1.0;
   std::transform(values.begin(), values.end(), target,

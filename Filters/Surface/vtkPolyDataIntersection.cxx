@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPolyDataIntersection.h"
 
+#include "ArrayMemory.h"
 #include "AttributeUnion.h"
 #include "BlockNames.h"
 #include "FieldArrays.h"
@@ -104,10 +105,15 @@ void vtkPolyDataIntersection::Run::Execute()
       none ? (self ? "The surface does not meet itself, so there is no curve."
                    : "The surfaces do not meet, so there is no curve.")
            : "The result is complete.");
+    sbvtk::StopIfAsked(this->Filter);
   }
   catch (const Failure& failure)
   {
     this->Fail(failure);
+  }
+  catch (const sbvtk::Stopped&)
+  {
+    this->Fail(sbvtk::FailureOf(sb::Status::Aborted));
   }
   catch (const std::bad_alloc&)
   {
@@ -195,10 +201,10 @@ void vtkPolyDataIntersection::Run::AddCurveArrays()
   vtkNew<vtkIntArray> ids;
   vtkNew<vtkIntArray> sources;
   ids->SetName("CurveId");
-  ids->SetNumberOfValues(numberOfCurves);
+  sbvtk::SetTuples(ids, numberOfCurves);
   sources->SetName("SourceIds");
   sources->SetNumberOfComponents(2);
-  sources->SetNumberOfTuples(numberOfCurves);
+  sbvtk::SetTuples(sources, numberOfCurves);
   for (vtkIdType curve = 0; curve < numberOfCurves; ++curve)
   {
     ids->SetValue(curve, static_cast<int>(curve));
@@ -211,7 +217,7 @@ void vtkPolyDataIntersection::Run::AddCurveArrays()
   vtkNew<vtkIdTypeArray> cells;
   cells->SetName("SegmentCellIds");
   cells->SetNumberOfComponents(2);
-  cells->SetNumberOfTuples(static_cast<vtkIdType>(curves.Segments.size()));
+  sbvtk::SetTuples(cells, static_cast<vtkIdType>(curves.Segments.size()));
   vtkIdType* out = cells->GetPointer(0);
   for (const sb::Curves::Makers& makers : curves.Segments)
   {
@@ -274,14 +280,14 @@ void vtkPolyDataIntersection::Run::AddSplitArrays(
 {
   vtkNew<vtkIntArray> patches;
   patches->SetName("PatchId");
-  patches->SetNumberOfValues(static_cast<vtkIdType>(result.Origins().size()));
+  sbvtk::SetTuples(patches, static_cast<vtkIdType>(result.Origins().size()));
   std::transform(result.Origins().begin(), result.Origins().end(), patches->GetPointer(0),
     [&split](std::int32_t origin) {
       return origin >= 0 ? split.PatchOfTriangle[origin] : split.PatchOfPiece[~origin];
     });
   vtkNew<vtkUnsignedCharArray> seam;
   seam->SetName("SeamPoint");
-  seam->SetNumberOfValues(static_cast<vtkIdType>(split.IsOnCurve.size()));
+  sbvtk::SetTuples(seam, static_cast<vtkIdType>(split.IsOnCurve.size()));
   std::copy(split.IsOnCurve.begin(), split.IsOnCurve.end(), seam->GetPointer(0));
   output->GetCellData()->AddArray(patches);
   output->GetCellData()->SetActiveScalars("PatchId"); // ParaView colours by it at once

@@ -79,14 +79,6 @@ private:
 namespace
 {
 
-/** A condition of the kernel that ends an update. */
-sbvtk::FilterFailure FailureOf(sb::Status condition)
-{
-  sb::Remark remark;
-  remark.Condition = condition;
-  return { static_cast<int>(condition), sbvtk::ConditionSentence(remark, "Input", -1) };
-}
-
 bool HasFloatPoints(vtkPolyData* surface)
 {
   return surface->GetPoints() && surface->GetPoints()->GetDataType() == VTK_FLOAT;
@@ -102,10 +94,15 @@ void vtkPolyDataSurfaceCheck::Run::Execute()
     this->ReadInput();
     this->Compute();
     this->BuildOutputs();
+    sbvtk::StopIfAsked(this->Filter);
   }
   catch (const Failure& failure)
   {
     this->Fail(failure);
+  }
+  catch (const sbvtk::Stopped&)
+  {
+    this->Fail(sbvtk::FailureOf(sb::Status::Aborted));
   }
   catch (const std::bad_alloc&)
   {
@@ -132,7 +129,7 @@ void vtkPolyDataSurfaceCheck::Run::ReadInput()
   vtkPolyData* surface = this->Filter->Kept->Input.Surface();
   if (!sbvtk::OperandSurface::FitsInt32(surface))
   {
-    throw FailureOf(sb::Status::TooLarge);
+    throw sbvtk::FailureOf(sb::Status::TooLarge);
   }
   this->Operand.reset(new sbvtk::OperandSurface(surface, this->Executor));
   this->Times.push_back({ "Read input", this->Watch.Lap() });
@@ -150,7 +147,7 @@ void vtkPolyDataSurfaceCheck::Run::Compute()
   this->Result = sb::CheckSurface(request, this->Executor, monitor);
   if (sb::IsError(this->Result.Condition))
   {
-    throw FailureOf(this->Result.Condition);
+    throw sbvtk::FailureOf(this->Result.Condition);
   }
   this->Times.insert(this->Times.end(), this->Result.Times.begin(), this->Result.Times.end());
   this->Watch.Lap();
