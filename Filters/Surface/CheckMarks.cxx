@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CheckMarks.h"
 
+#include "AttributeUnion.h"
 #include "FieldArrays.h"
 
 #include "vtkCellArray.h"
