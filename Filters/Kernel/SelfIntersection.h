@@ -5,10 +5,10 @@
  * @brief All pairs of triangles of one surface that meet elsewhere than in common corners and
  * edges, and where.
  *
- * Nearly all triangles whose boxes meet are neighbours that do no wrong. So pairs are not listed:
- * each is looked at where the hierarchy comes upon it, and dropped if a plane through one of the
- * two, or through an edge of one, has the other on its other side. Signs are taken from doubles
- * with an error bound; what they leave open goes to the exact contacts (Contacts.h).
+ * Nearly all triangles whose boxes meet are neighbours that do no wrong. Parts of the surface that
+ * are known not to meet themselves (PlainSheets.h) are not compared with themselves at all. Other
+ * pairs are not listed: each is looked at where the hierarchy comes upon it, and dropped if it is
+ * certainly apart (TriangleSeparation.h). What is left goes to the exact contacts (Contacts.h).
  */
 #ifndef sb_SelfIntersection_h
 #define sb_SelfIntersection_h

@@ -47,8 +47,8 @@
  * The same input gives the same bytes whatever NumberOfThreads is.
  *
  * @par Cost
- * Linear, but for self-intersections; they take about twice as long as all the rest together, and
- * longer where there are many.
+ * Linear, but for self-intersections; they take about as long as all the rest together, and longer
+ * where there are many.
  */
 #ifndef vtkPolyDataSurfaceCheck_h
 #define vtkPolyDataSurfaceCheck_h
