@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CloudBoolean.h"
 
+#include "BorderEdges.h"
 #include "ClosestOnPatch.h"
 #include "Ingest.h"
 #include "MeshParts.h"
 #include "OpenScanBoolean.h"
-#include "ParallelSort.h"
+#include "PointSurfaceMesh.h"
 #include "SampleSides.h"
 #include "Stages.h"
 #include "SurfaceRefinement.h"
@@ -338,7 +339,8 @@ private:
     this->FillTriangles();
     this->FillNormals();
     this->FillResiduals();
-    this->CountBorder();
+    this->Result.NumberOfBorderEdges =
+      CountBorderEdges(this->Result.Mesh.Triangles, this->Result.Mesh.OriginalPoint.size());
     this->CountFlipped();
     if (this->Body.HasPatches())
     {
@@ -564,33 +566,6 @@ private:
     for (const Real3& place : this->Result.Seam.Points)
     {
       this->Result.SeamSample.push_back(this->SampleNearestTo(place));
-    }
-  }
-
-  /** Edges that are not gone along as often in one direction as in the other. */
-  void CountBorder()
-  {
-    const std::vector<std::int32_t>& triangles = this->Result.Mesh.Triangles;
-    std::vector<std::uint64_t> edges;
-    edges.reserve(triangles.size());
-    for (std::size_t corner = 0; corner < triangles.size(); ++corner)
-    {
-      const std::int32_t from = triangles[corner];
-      const std::int32_t to = triangles[corner % 3 == 2 ? corner - 2 : corner + 1];
-      edges.push_back(static_cast<std::uint64_t>(std::min(from, to)) << 33 |
-        static_cast<std::uint64_t>(std::max(from, to)) << 1 | (from < to ? 1u : 0u));
-    }
-    RadixSort(
-      edges, [](std::uint64_t edge) { return edge; }, 64, this->Threads);
-    for (std::size_t i = 0; i < edges.size();)
-    {
-      std::int64_t balance = 0;
-      const std::uint64_t edge = edges[i] >> 1;
-      for (; i < edges.size() && edges[i] >> 1 == edge; ++i)
-      {
-        balance += (edges[i] & 1u) ? 1 : -1;
-      }
-      this->Result.NumberOfBorderEdges += std::abs(balance);
     }
   }
 

@@ -52,7 +52,7 @@ class Sectioning
 {
 public:
   Sectioning(const MovingLeastSquares& surface, const DesignedSurface& mesh,
-    const MeshSectionRequest& request, Executor& executor, Monitor& monitor)
+    const SectionRequest& request, Executor& executor, Monitor& monitor)
     : Surface(surface)
     , Mesh(mesh)
     , Request(request)
@@ -528,7 +528,7 @@ private:
 
   const MovingLeastSquares& Surface;
   const DesignedSurface& Mesh;
-  const MeshSectionRequest Request;
+  const SectionRequest Request;
   const double SmallEdge;
   Executor& Threads;
   Monitor& Watch;
@@ -547,7 +547,7 @@ private:
 } // namespace
 
 MeshSection IntersectMesh(const MovingLeastSquares& surface, const DesignedSurface& mesh,
-  const MeshSectionRequest& request, Executor& executor, Monitor& monitor)
+  const SectionRequest& request, Executor& executor, Monitor& monitor)
 {
   return Sectioning(surface, mesh, request, executor, monitor).Run();
 }

@@ -19,6 +19,7 @@
 #include "CurveEnd.h"
 #include "DesignedSurface.h"
 #include "MovingLeastSquares.h"
+#include "SectionRequest.h"
 
 #include <array>
 #include <cstdint>
@@ -51,15 +52,9 @@ struct MeshSection
   double CoincidentArea = 0.0; ///< of the mesh, where it lies on the cloud; no curves are in it
 };
 
-struct MeshSectionRequest
-{
-  double Spacing = 0.0; ///< of the cloud, positive
-  double ChordError = 0.0; ///< how far the curve may be from a segment, positive
-};
-
 /** The inside of the cloud lies on the left of the curves, seen from the front of the mesh. */
 MeshSection IntersectMesh(const MovingLeastSquares& surface, const DesignedSurface& mesh,
-  const MeshSectionRequest& request, Executor& executor, Monitor& monitor);
+  const SectionRequest& request, Executor& executor, Monitor& monitor);
 
 } // namespace sb
 

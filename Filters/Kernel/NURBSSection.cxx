@@ -87,7 +87,7 @@ class PatchSectioning
 {
 public:
   PatchSectioning(const MovingLeastSquares& surface, const DesignedSurface& designed,
-    const NURBSSectionRequest& request, Executor& executor, Monitor& monitor)
+    const SectionRequest& request, Executor& executor, Monitor& monitor)
     : Surface(surface)
     , Designed(designed)
     , Request(request)
@@ -300,7 +300,7 @@ private:
 
   const MovingLeastSquares& Surface;
   const DesignedSurface& Designed;
-  const NURBSSectionRequest Request;
+  const SectionRequest Request;
   Executor& Threads;
   Monitor& Watch;
   std::vector<SectionPiece> Pieces;
@@ -312,7 +312,7 @@ private:
 } // namespace
 
 NURBSSection IntersectPatches(const MovingLeastSquares& surface, const DesignedSurface& designed,
-  const NURBSSectionRequest& request, Executor& executor, Monitor& monitor)
+  const SectionRequest& request, Executor& executor, Monitor& monitor)
 {
   return PatchSectioning(surface, designed, request, executor, monitor).Run();
 }

@@ -13,6 +13,7 @@
 #define sb_NURBSSection_h
 
 #include "FaceSection.h"
+#include "SectionRequest.h"
 
 #include <array>
 #include <cstdint>
@@ -40,15 +41,9 @@ struct NURBSSection
   bool Aborted = false;
 };
 
-struct NURBSSectionRequest
-{
-  double Spacing = 0.0; ///< of the cloud, positive
-  double ChordError = 0.0; ///< how far the curve may be from a segment, positive
-};
-
 /** @param designed with patches without a fault; triangles without a patch (-1) are left out */
 NURBSSection IntersectPatches(const MovingLeastSquares& surface, const DesignedSurface& designed,
-  const NURBSSectionRequest& request, Executor& executor, Monitor& monitor);
+  const SectionRequest& request, Executor& executor, Monitor& monitor);
 
 } // namespace sb
 

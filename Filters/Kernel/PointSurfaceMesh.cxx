@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointSurfaceMesh.h"
 
+#include "BorderEdges.h"
 #include "CubeCases.h"
 #include "DisjointSets.h"
 #include "EdgeRoot.h"
 #include "GridBlocks.h"
-#include "ParallelSort.h"
 
 #include <algorithm>
 #include <array>
@@ -102,7 +102,8 @@ public:
     }
     if (this->Goes())
     {
-      this->CountBorder();
+      this->Mesh.NumberOfBorderEdges =
+        CountBorderEdges(this->Mesh.Triangles, this->Mesh.Points.size() / 3);
       return std::move(this->Mesh);
     }
     PointSurfaceMesh none;
@@ -578,29 +579,6 @@ private:
     for (std::int32_t& vertex : this->Mesh.Triangles)
     {
       vertex = number[static_cast<std::size_t>(vertex)];
-    }
-  }
-
-  /** Edges of one triangle: each edge is named from its lower to its higher end, and found twice if
-   * it has two. */
-  void CountBorder()
-  {
-    std::vector<std::uint64_t> edges;
-    edges.reserve(this->Mesh.Triangles.size());
-    for (std::size_t corner = 0; corner < this->Mesh.Triangles.size(); ++corner)
-    {
-      const std::size_t following = corner % 3 == 2 ? corner - 2 : corner + 1;
-      const auto ends = std::minmax(this->Mesh.Triangles[corner], this->Mesh.Triangles[following]);
-      edges.push_back(
-        static_cast<std::uint64_t>(ends.first) << 32 | static_cast<std::uint64_t>(ends.second));
-    }
-    RadixSort(
-      edges, [](std::uint64_t edge) { return edge; }, 64, this->Threads);
-    for (std::size_t i = 0; i < edges.size();)
-    {
-      const bool paired = i + 1 < edges.size() && edges[i] == edges[i + 1];
-      this->Mesh.NumberOfBorderEdges += paired ? 0 : 1;
-      i += paired ? 2 : 1;
     }
   }
 
