@@ -290,6 +290,7 @@ private:
     this->Before = std::move(this->Result.Mesh);
     this->Result.Mesh = this->Snapped.Mesh;
     this->Result.LargestResidual = this->Snapped.LargestResidual;
+    this->Result.Errors.Seam = this->Snapped.LargestResidual;
     this->Result.NumberOfBackedOff = this->Snapped.NumberOfBackedOff;
     this->Result.NumberOfSnapped =
       static_cast<std::int64_t>(this->Snapped.Vertices.size()) - this->Snapped.NumberOfBackedOff;

@@ -67,7 +67,9 @@ struct ErrorBudget
     0.0; ///< how far the middles of the cloud's triangles are from its surface, at most
   double Chord = 0.0; ///< of the seam, measured
   double Tool = 0.0; ///< how far the middles of the tool's facets are from their patches, at most
-  double Sum() const { return this->Noise + this->Facet + this->Chord + this->Tool; }
+  double Seam =
+    0.0; ///< how far seam vertices that had to stay are from the cloud's surface, at most
+  double Sum() const { return this->Noise + this->Facet + this->Chord + this->Tool + this->Seam; }
 };
 
 struct CloudBooleanResult

@@ -67,10 +67,11 @@ std::array<Real3, 3> MeshEdit::CornersOf(std::int32_t triangle) const
   return { this->Mesh.Point(ids[0]), this->Mesh.Point(ids[1]), this->Mesh.Point(ids[2]) };
 }
 
-/** Whether no triangle of the point gets worse than it may be. @param exceptWith those with this
- * corner vanish, and do not count */
-bool MeshEdit::MayMove(std::int32_t point, const Real3& place, std::int32_t exceptWith) const
+/** @param exceptWith those with this corner vanish, and do not count */
+std::vector<std::int32_t> MeshEdit::TurningOver(
+  std::int32_t point, const Real3& place, std::int32_t exceptWith) const
 {
+  std::vector<std::int32_t> worse;
   for (const std::int32_t triangle : this->TrianglesAt(point))
   {
     const std::int32_t* const ids = this->Mesh.Corners(triangle);
@@ -85,10 +86,15 @@ bool MeshEdit::MayMove(std::int32_t point, const Real3& place, std::int32_t exce
     const double facing = Facing(after, front.Direction);
     if (facing < front.LeastCosine && facing <= Facing(before, front.Direction))
     {
-      return false;
+      worse.push_back(triangle);
     }
   }
-  return true;
+  return worse;
+}
+
+bool MeshEdit::MayMove(std::int32_t point, const Real3& place, std::int32_t exceptWith) const
+{
+  return this->TurningOver(point, place, exceptWith).empty();
 }
 
 bool MeshEdit::Move(std::int32_t point, const Real3& place)
@@ -97,6 +103,92 @@ bool MeshEdit::Move(std::int32_t point, const Real3& place)
   {
     return false;
   }
+  this->Mesh.SetPoint(point, place);
+  return true;
+}
+
+bool MeshEdit::FacesRight(std::int32_t triangle, std::int32_t point, const Real3& place) const
+{
+  const std::int32_t* const ids = this->Mesh.Corners(triangle);
+  std::array<Real3, 3> corners = this->CornersOf(triangle);
+  corners[static_cast<std::size_t>(std::find(ids, ids + 3, point) - ids)] = place;
+  const Front front = this->FrontOfTriangle(triangle);
+  return Facing(corners, front.Direction) >= front.LeastCosine;
+}
+
+void MeshEdit::Forget(std::int32_t triangle, std::int32_t point)
+{
+  std::vector<std::int32_t>& list =
+    this->Incident[static_cast<std::size_t>(this->Zone[static_cast<std::size_t>(point)])];
+  list.erase(std::find(list.begin(), list.end(), triangle));
+}
+
+void MeshEdit::Remember(std::int32_t triangle, std::int32_t point)
+{
+  if (this->IsInZone(point))
+  {
+    this->Incident[static_cast<std::size_t>(this->Zone[static_cast<std::size_t>(point)])].push_back(
+      triangle);
+  }
+}
+
+bool MeshEdit::MoveAcross(std::int32_t point, const Real3& place, const MayFlip& mayFlip)
+{
+  const std::vector<std::int32_t> turning = this->TurningOver(point, place, Dropped);
+  if (turning.size() != 1)
+  {
+    return false;
+  }
+  const std::int32_t t = turning.front();
+  std::int32_t* const ids = this->Mesh.Triangles.data() + 3 * static_cast<std::size_t>(t);
+  const std::ptrdiff_t at = std::find(ids, ids + 3, point) - ids;
+  const std::int32_t a = ids[(at + 1) % 3];
+  const std::int32_t b = ids[(at + 2) % 3];
+  if (!this->IsInZone(a) || !this->IsInZone(b))
+  {
+    return false;
+  }
+  std::vector<std::int32_t> across;
+  for (const std::int32_t other : this->TrianglesAt(a))
+  {
+    const std::int32_t* const its = this->Mesh.Corners(other);
+    if (other != t && std::find(its, its + 3, b) != its + 3)
+    {
+      across.push_back(other);
+    }
+  }
+  if (across.size() != 1 ||
+    this->Mesh.Source[static_cast<std::size_t>(across[0])] !=
+      this->Mesh.Source[static_cast<std::size_t>(t)] ||
+    !mayFlip(t, across[0]))
+  {
+    return false;
+  }
+  const std::int32_t u = across[0];
+  std::int32_t* const others = this->Mesh.Triangles.data() + 3 * static_cast<std::size_t>(u);
+  const std::int32_t c =
+    *std::find_if(others, others + 3, [a, b](std::int32_t id) { return id != a && id != b; });
+  const std::vector<std::int32_t> around = this->Neighbours(point);
+  if (std::binary_search(around.begin(), around.end(), c))
+  {
+    return false;
+  }
+  const std::array<std::int32_t, 3> before{ ids[0], ids[1], ids[2] };
+  const std::array<std::int32_t, 3> othersBefore{ others[0], others[1], others[2] };
+  const std::array<std::int32_t, 3> first{ point, a, c };
+  const std::array<std::int32_t, 3> second{ point, c, b };
+  std::copy(first.begin(), first.end(), ids);
+  std::copy(second.begin(), second.end(), others);
+  if (!this->FacesRight(t, point, place) || !this->FacesRight(u, point, place))
+  {
+    std::copy(before.begin(), before.end(), ids);
+    std::copy(othersBefore.begin(), othersBefore.end(), others);
+    return false;
+  }
+  this->Forget(t, b);
+  this->Forget(u, a);
+  this->Remember(t, c);
+  this->Remember(u, point);
   this->Mesh.SetPoint(point, place);
   return true;
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeshEdit.h
- * @brief Moving points and collapsing edges in a part of a mesh, as long as no triangle turns over
- * and the topology stays.
+ * @brief Moving points, and collapsing and flipping edges, in a part of a mesh, as long as no
+ * triangle turns over and the topology stays.
  */
 #ifndef sb_MeshEdit_h
 #define sb_MeshEdit_h
@@ -54,6 +54,15 @@ public:
   /** Move a point, unless a triangle would turn over or lie across the surface. */
   bool Move(std::int32_t point, const Real3& place);
 
+  using MayFlip = std::function<bool(std::int32_t triangle, std::int32_t other)>;
+
+  /**
+   * Move a point over the opposite edge of the one triangle that would turn over by that: the edge
+   * is replaced by the other diagonal of its two triangles, if these are of one operand.
+   * @param mayFlip whether two triangles lie in one surface
+   */
+  bool MoveAcross(std::int32_t point, const Real3& place, const MayFlip& mayFlip);
+
   /** Move `gone` into `kept`, unless a triangle would turn over or the surface would be pinched. */
   bool Collapse(std::int32_t gone, std::int32_t kept);
 
@@ -62,6 +71,12 @@ public:
 
 private:
   bool MayMove(std::int32_t point, const Real3& place, std::int32_t exceptWith) const;
+  /** The triangles of the point that would get worse than they may be. */
+  std::vector<std::int32_t> TurningOver(
+    std::int32_t point, const Real3& place, std::int32_t exceptWith) const;
+  bool FacesRight(std::int32_t triangle, std::int32_t point, const Real3& place) const;
+  void Forget(std::int32_t triangle, std::int32_t point);
+  void Remember(std::int32_t triangle, std::int32_t point);
   std::array<Real3, 3> CornersOf(std::int32_t triangle) const;
 
   CombinedMesh& Mesh;

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace sb
 {
@@ -19,6 +21,7 @@ namespace
 {
 
 constexpr double RoundingInWidths = 1e-12; ///< points nearer than it are one
+constexpr double TouchInSpacings = 0.1; ///< how near a mesh has to come to touch
 constexpr std::int32_t None = -1;
 
 /** A piece of curve across a small triangle. */
@@ -73,6 +76,7 @@ public:
       this->Band = MakeBandMesh(this->Refined, this->Surface, this->Threads, this->Watch);
       this->Watch.Progress(0.7, "Intersect");
       this->FindArea(section);
+      this->FindTouches(section);
       this->ListEdges();
       this->FindRoots();
       this->ListSegments();
@@ -121,6 +125,35 @@ private:
             Cross(Difference(this->Band.Place(p[1]), a), Difference(this->Band.Place(p[2]), a)));
       }
     }
+  }
+
+  void FindTouches(MeshSection& section) const
+  {
+    std::vector<double> values;
+    for (const SurfaceValue& f : this->Band.Values)
+    {
+      values.push_back(f.IsNear ? f.Value : std::numeric_limits<double>::quiet_NaN());
+    }
+    TouchSearch search(std::move(values),
+      std::max(this->Request.ChordError, TouchInSpacings * this->Request.Spacing),
+      this->Band.Rounding);
+    for (std::size_t t = 0; t < this->Band.Triangles.size(); ++t)
+    {
+      const auto& p = this->Band.Triangles[t].Places;
+      const bool isSurface =
+        !this->IsInArea(t) && this->NormalOf(this->Band.Triangles[t].Original) != Real3{};
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        search.Link(p[k], p[(k + 1) % 3]);
+        if (!isSurface)
+        {
+          search.LeaveOut(p[k]);
+        }
+      }
+    }
+    MovingLeastSquares::Neighbourhood near;
+    section.Touches = search.Find(
+      this->Surface, [this](std::int32_t place) { return this->Band.Place(place); }, near);
   }
 
   bool IsInArea(std::size_t triangle) const

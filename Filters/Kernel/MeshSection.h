@@ -20,6 +20,7 @@
 #include "DesignedSurface.h"
 #include "MovingLeastSquares.h"
 #include "SectionRequest.h"
+#include "TouchSearch.h"
 
 #include <array>
 #include <cstdint>
@@ -49,6 +50,9 @@ struct MeshSection
 {
   MeshSectionStatus Status = MeshSectionStatus::Ok;
   std::vector<MeshSectionCurve> Curves;
+  /** Where the mesh comes nearer to the surface than the chord error, or a tenth of the spacing,
+   * without crossing it. */
+  std::vector<SurfaceTouch> Touches;
   double CoincidentArea = 0.0; ///< of the mesh, where it lies on the cloud; no curves are in it
 };
 

@@ -19,6 +19,7 @@ namespace
 constexpr std::int64_t Grain = 128;
 constexpr double SquareInWidths = 1.0 / 3.0;
 constexpr double Rounding = 1e-12; ///< in widths: values below it have no sign
+constexpr double TouchInSquares = 0.1; ///< how near a plane has to come to touch
 constexpr int MostHalvings = 5; ///< of the squares, where two branches are in one of them
 
 /** A square of the plane's grid, or the node at its lower corner. */
@@ -89,6 +90,7 @@ public:
     PlaneSection section;
     this->ListSquares();
     section.Curves = this->FindCurves();
+    section.Touches = this->FindTouches();
     for (int halving = 0; halving < MostHalvings && !this->AreWithinBound(section.Curves);
          ++halving)
     {
@@ -99,6 +101,7 @@ public:
     if (section.Aborted)
     {
       section.Curves.clear();
+      section.Touches.clear();
     }
     return section;
   }
@@ -118,6 +121,33 @@ private:
       this->AddCurve(branch, curves);
     }
     return curves;
+  }
+
+  std::vector<SurfaceTouch> FindTouches()
+  {
+    TouchSearch search(this->Values, std::max(this->ChordError, TouchInSquares * this->Edge),
+      Rounding * this->Surface.NarrowWidth());
+    for (const Square& square : this->Squares)
+    {
+      std::int32_t corners[4];
+      for (int k = 0; k < 4; ++k)
+      {
+        corners[k] = static_cast<std::int32_t>(
+          this->NumberOf({ square.U + CornerU[k], square.V + CornerV[k] }));
+      }
+      for (int k = 0; k < 4; ++k)
+      {
+        for (int other = k + 1; other < 4; ++other)
+        {
+          search.Link(corners[k], corners[other]);
+        }
+      }
+    }
+    return search.Find(
+      this->Surface,
+      [this](
+        std::int32_t node) { return this->Place(this->Nodes[static_cast<std::size_t>(node)]); },
+      this->Near);
   }
 
   bool AreWithinBound(const std::vector<SectionCurve>& curves) const

@@ -10,14 +10,15 @@
  * give all branches at once (Lorensen and Cline 1987, in two dimensions): a loop that is wider than
  * such a square's diagonal contains a corner and cannot be missed, and closed and open branches
  * come out as such. Where branches are closer to each other than that, smaller squares tell which
- * ends belong together. Along each of them steps are as long as the curvature (Eq. 8) allows for the
- * bound; the chord error is then measured, not only predicted, and a step that keeps it not is
+ * ends belong together. Along each of them steps are as long as the curvature (Eq. 8) allows for
+ * the bound; the chord error is then measured, not only predicted, and a step that keeps it not is
  * shortened.
  */
 #ifndef sb_PlaneSection_h
 #define sb_PlaneSection_h
 
 #include "MovingLeastSquares.h"
+#include "TouchSearch.h"
 
 #include <vector>
 
@@ -35,6 +36,9 @@ struct SectionCurve
 struct PlaneSection
 {
   std::vector<SectionCurve> Curves;
+  /** Where the plane comes nearer to the surface than the chord error, or a thirtieth of the width,
+   * without crossing it. */
+  std::vector<SurfaceTouch> Touches;
   bool Aborted = false;
 };
 

@@ -360,6 +360,10 @@ private:
     }
     for (double share = 1.0; share > 0.2; share *= 0.5)
     {
+      if (this->AtLast && share < 1.0 && this->MoveAcross(i))
+      {
+        return;
+      }
       const Real3 place = share == 1.0 ? this->Targets[i].Place : PlusScaled(from, share, way);
       if (this->Edit.Move(point, place))
       {
@@ -368,6 +372,38 @@ private:
         return;
       }
     }
+  }
+
+  /** Over an edge of a triangle that is thinner than the way. */
+  bool MoveAcross(std::size_t i)
+  {
+    const bool isMoved = this->Edit.MoveAcross(this->Seam[i], this->Targets[i].Place,
+      [this](std::int32_t t, std::int32_t u) { return this->AreInOneSurface(t, u); });
+    this->Done[i] = isMoved ? 1 : this->Done[i];
+    this->Touched[static_cast<std::size_t>(this->Seam[i])] |= isMoved ? 1 : 0;
+    return isMoved;
+  }
+
+  /** Whether the edge between two triangles of one operand does not shape it. */
+  bool AreInOneSurface(std::int32_t t, std::int32_t u) const
+  {
+    if (this->Mesh.Source[static_cast<std::size_t>(t)] == 0)
+    {
+      return true;
+    }
+    const std::vector<std::int32_t> parents{ this->Mesh.Parent[static_cast<std::size_t>(t)],
+      this->Mesh.Parent[static_cast<std::size_t>(u)] };
+    const std::vector<std::int32_t>& faces = this->Request.Tool->Body().FaceId;
+    if (!faces.empty() &&
+      faces[static_cast<std::size_t>(parents[0])] != faces[static_cast<std::size_t>(parents[1])])
+    {
+      return false;
+    }
+    const auto isFlat = [&](std::int32_t id) {
+      return IsNearPlanes(*this->Request.Tool, parents, this->Mesh.Point(id), this->BendOfTool());
+    };
+    return std::all_of(this->Mesh.Corners(t), this->Mesh.Corners(t) + 3, isFlat) &&
+      std::all_of(this->Mesh.Corners(u), this->Mesh.Corners(u) + 3, isFlat);
   }
 
   /** A target in the plane of a triangle may lie beyond the triangle. */
@@ -399,8 +435,10 @@ private:
       if (this->IsStuck(i) && this->Targets[i].Reached)
       {
         const Real3 from = this->Mesh.Point(this->Seam[i]);
-        this->CollapseAround(
-          this->Seam[i], ClearedWay * Length(Difference(this->Targets[i].Place, from)));
+        const double way = Length(Difference(this->Targets[i].Place, from));
+        // At last more of what is short may go than in the beginning.
+        this->CollapseAround(this->Seam[i],
+          std::max(ClearedWay * way, this->AtLast ? ShortEdge * this->Request.Spacing : 0.0));
       }
     }
   }

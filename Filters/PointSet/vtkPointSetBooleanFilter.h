@@ -38,16 +38,16 @@
  * Field data of output 0: `Status` (int, StatusType), `Message`, `Spacing`, `Width`,
  * `CellSize`; what is known of the error, as lengths: `NoiseError` (of the cloud's surface, from
  * the samples' residuals), `FacetError` (of its triangles), `SeamChordError`, `ToolError` (of the
- * tool's facets against its exact faces), `ErrorBudget` (their sum); `SeamResidual`, the largest
- * distance of a seam point from the cloud's surface; `NumberOfSnappedPoints` and
+ * tool's facets against its exact faces), `SeamResidual`, the largest distance of a seam point from
+ * the cloud's surface; `ErrorBudget`, the sum of these five; `NumberOfSnappedPoints` and
  * `NumberOfBackedOffPoints` of the seam; `NumberOfFlippedTriangles`; `NumberOfSelfIntersections`
  * near the seam; `NumberOfBorderEdges` (0: watertight); `NumberOfSeamEnds` (0: all of it closed);
  * `NumberOfSpecks`, parts of the cloud too small to be more than noise, which are left out;
  * `Confidence`, the smallest; `CloudVolume`, `ToolVolume`, `ResultVolume`, `ResultArea`;
  * `StageNames` and `StageSeconds`.
  *
- * The cloud's surface and its mesh are kept: they are made again only when the points, their normals
- * or the settings change, so moving the tool takes much less time than the first update.
+ * The cloud's surface and its mesh are kept: they are made again only when the points, their
+ * normals or the settings change, so moving the tool takes much less time than the first update.
  *
  * An input that cannot be used gives one error message and empty outputs. The same points in any
  * order give the same surface whatever NumberOfThreads is.

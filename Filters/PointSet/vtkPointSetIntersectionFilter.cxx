@@ -71,6 +71,7 @@ private:
   Curves CutWithPatches(double chordError, sb::Monitor& monitor);
   void StopIf(bool isAborted);
   void TellOfArea(double area);
+  void TellOfTouches(const std::vector<sb::SurfaceTouch>& touches);
   void AddFields(int status, const std::string& message) override;
   std::string AdviceOnMemory() const override
   {
@@ -84,6 +85,7 @@ private:
   sb::Real3 Origin{};
   sb::Real3 Normal{};
   double CoincidentArea = 0.0;
+  std::int64_t NumberOfTouches = 0;
 };
 
 //------------------------------------------------------------------------------
@@ -172,6 +174,7 @@ auto vtkPointSetIntersectionFilter::Run::CutWithPlane(double chordError, sb::Mon
   sb::PlaneSection section = sb::IntersectPlane(
     *this->Cloud.Surface, this->Origin, this->Normal, chordError, this->Executor, monitor);
   this->StopIf(section.Aborted);
+  this->TellOfTouches(section.Touches);
   Curves curves;
   for (sb::SectionCurve& cut : section.Curves)
   {
@@ -205,6 +208,7 @@ auto vtkPointSetIntersectionFilter::Run::CutWithMesh(double chordError, sb::Moni
       "Input; choose a part of either." };
   }
   this->TellOfArea(section.CoincidentArea);
+  this->TellOfTouches(section.Touches);
   Curves curves;
   for (sb::MeshSectionCurve& cut : section.Curves)
   {
@@ -285,9 +289,30 @@ void vtkPointSetIntersectionFilter::Run::TellOfArea(double area)
 }
 
 //------------------------------------------------------------------------------
+/** Neither noise nor the mesh can tell whether there is a curve, smaller than two spacings. */
+void vtkPointSetIntersectionFilter::Run::TellOfTouches(const std::vector<sb::SurfaceTouch>& touches)
+{
+  this->NumberOfTouches = static_cast<std::int64_t>(touches.size());
+  if (touches.empty())
+  {
+    return;
+  }
+  const sb::SurfaceTouch& nearest = *std::min_element(touches.begin(), touches.end(),
+    [](const sb::SurfaceTouch& a, const sb::SurfaceTouch& b) { return a.Distance < b.Distance; });
+  std::ostringstream sentence;
+  sentence << (this->HasTool ? "Tool" : "Plane") << " touches the surface of Input at "
+           << touches.size() << (touches.size() == 1 ? " place" : " places")
+           << " without crossing it, so that there is no curve: it comes as near as "
+           << nearest.Distance << " at (" << nearest.Place[0] << ", " << nearest.Place[1] << ", "
+           << nearest.Place[2] << "); move it if it should cut.";
+  this->Warn(TOUCHING, sentence.str());
+}
+
+//------------------------------------------------------------------------------
 void vtkPointSetIntersectionFilter::Run::AddFields(int status, const std::string& message)
 {
   this->AddCloudFields(this->Output, status, message);
+  sbvtk::AddCount(this->Output, "NumberOfTouches", this->NumberOfTouches);
   if (this->HasTool)
   {
     sbvtk::AddField(this->Output, "CoincidentArea", this->CoincidentArea);

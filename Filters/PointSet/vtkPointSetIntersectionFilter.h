@@ -27,8 +27,10 @@
  * (2 components), an EndType for the first and the last point; with a Tool `Tangential`, 1 where
  * the surfaces meet at an angle below 0.1 somewhere on the curve, so that its place is uncertain.
  * Field data: `Status` (vtkPointSetSurfaceFilter::StatusType or one of the values below),
- * `Message`, `Spacing`, `Width`, `StageNames` and `StageSeconds`; with a Tool `CoincidentArea`,
- * that of the part of it that lies on the cloud within the cloud's noise, where no curve is drawn.
+ * `Message`, `Spacing`, `Width`, `StageNames` and `StageSeconds`; `NumberOfTouches`, the places
+ * where a plane or a mesh comes closer to the surface than ChordError, or a tenth of the spacing,
+ * without crossing it; with a Tool `CoincidentArea`, that of the part of it that lies on the cloud
+ * within the cloud's noise, where no curve is drawn.
  *
  * Cost: what is near the cloud of a Tool is refined to the spacing; the rest is passed over once.
  */
@@ -71,6 +73,7 @@ public:
   {
     COINCIDENT_AREA = 4, ///< warning: part of the Tool lies on the cloud
     FACETS_ONLY = 5, ///< warning: the Tool carries exact surfaces that could not be used
+    TOUCHING = 6, ///< warning: plane or mesh touches the surface without crossing it
     NOT_A_SURFACE = 21 ///< error: the Tool is no polygonal surface
   };
 

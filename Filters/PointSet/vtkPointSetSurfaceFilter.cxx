@@ -3,6 +3,7 @@
 #include "vtkPointSetSurfaceFilter.h"
 
 #include "ArrayMemory.h"
+#include "CloudOrientation.h"
 #include "CloudRun.h"
 #include "CloudSampling.h"
 #include "CloudSentences.h"
@@ -35,21 +36,6 @@ namespace
 
 constexpr double LargestShare = 0.2; ///< of doubtful or invalid points that goes without a warning
 constexpr double LargestThinShare = 0.001; ///< the same of points on walls that are too thin
-
-/** What a closed mesh encloses; negative if it is inside out. */
-double VolumeOf(const sb::PointSurfaceMesh& mesh)
-{
-  double sum = 0.0;
-  const auto corner = [&mesh](std::size_t i) {
-    const double* const p = mesh.Points.data() + 3 * std::int64_t(mesh.Triangles[i]);
-    return sb::Real3{ p[0] - mesh.Points[0], p[1] - mesh.Points[1], p[2] - mesh.Points[2] };
-  };
-  for (std::size_t i = 0; i < mesh.Triangles.size(); i += 3)
-  {
-    sum += sb::Dot(corner(i), sb::Cross(corner(i + 1), corner(i + 2)));
-  }
-  return sum / 6.0;
-}
 
 /** Mean and Gauss curvature beside the principal ones. */
 void AddCurvatures(vtkPolyData* output, vtkDoubleArray* maximum, vtkDoubleArray* minimum)
@@ -109,7 +95,6 @@ private:
   double ContradictingShare = 0.0;
   vtkIdType NumberOfBorderEdges = 0;
   vtkIdType NumberOfSpecks = 0;
-  bool IsInsideOut = false;
 };
 
 //------------------------------------------------------------------------------
@@ -264,7 +249,6 @@ void vtkPointSetSurfaceFilter::Run::BuildMesh()
   this->Kept.KeepMesh(cell, kept);
   this->NumberOfBorderEdges = static_cast<vtkIdType>(mesh.NumberOfBorderEdges);
   this->NumberOfSpecks = static_cast<vtkIdType>(mesh.NumberOfSpecks);
-  this->IsInsideOut = mesh.NumberOfBorderEdges == 0 && VolumeOf(mesh) < 0.0;
   const vtkIdType count = static_cast<vtkIdType>(mesh.Points.size() / 3);
   const auto coordinates = sbvtk::ArrayOf<vtkDoubleArray>("Points", 3, mesh.Points);
   const auto normals = sbvtk::ArrayOf<vtkDoubleArray>("Normals", 3, mesh.Normals);
@@ -325,16 +309,17 @@ void vtkPointSetSurfaceFilter::Run::Judge()
         " points of Input have a normal that is zero or not finite, and were left out of the "
         "surface; give them one, or remove all normals to have them estimated.");
   }
+  if (sb::WindingOnSurface(*this->Cloud.Surface, this->Executor) < sb::WindingOfInsideOut)
+  {
+    this->Warn(DOUBTFUL_NORMALS,
+      "The normals point into the solid that the points enclose, so that its surface is inside "
+      "out; switch FlipNormals.");
+  }
   if (this->Cloud.ThinShare > LargestThinShare)
   {
     this->Warn(THIN_PARTS,
       sbvtk::ThinPartsOf(this->Cloud) +
         "; choose a smaller Width, or give Input more points there.");
-  }
-  if (this->IsInsideOut)
-  {
-    this->Warn(DOUBTFUL_NORMALS,
-      "The normals point into the solid, so that the mesh is inside out; switch FlipNormals.");
   }
   if (this->ContradictingShare > LargestThinShare && !(this->Cloud.ThinShare > LargestThinShare))
   {

@@ -10,7 +10,7 @@ import measures
 from clouds import implicit, surface_of
 from sections import plane_section
 
-OK, DOUBTFUL, THIN_PARTS, THIN_WALL = 0, 2, 4, 38
+OK, DOUBTFUL, THIN_PARTS, TOUCHING, THIN_WALL = 0, 2, 4, 6, 38
 DEFINED, FAR, BORDER, CONTRADICTING = 0, 1, 2, 3
 
 
@@ -198,8 +198,13 @@ def test_edges_are_rounded_over_about_a_width():
 
 def test_an_inside_out_cloud_is_told():
     points, normals = clouds.sphere(4000)
-    result = surface_of(points, -normals, GenerateSurface=True)
-    assert result.status == DOUBTFUL and "inside out" in result.warnings[0] and "FlipNormals" in result.warnings[0]
+    for settings in ({}, {"GenerateSurface": True}):
+        result = surface_of(points, -normals, **settings)
+        assert result.status == DOUBTFUL and "inside out" in result.message and "FlipNormals" in result.message
+    for name in ("kitten.xyz", "oni.pwn"):
+        scan, outwards = clouds.cgal_cloud(name)
+        assert "inside out" not in surface_of(scan, outwards).message
+        assert "inside out" in surface_of(scan, -outwards).message
     turned = surface_of(points, -normals, GenerateSurface=True, FlipNormals=True)
     assert turned.status == OK and measures.volume(turned.mesh) > 0
 
@@ -215,13 +220,19 @@ def test_a_half_that_is_turned_over_is_told():
 # ---- tangential contact --------------------------------------------------------------------------
 
 
-def test_a_plane_that_touches_gives_a_small_loop_or_none():
+def test_a_plane_that_touches_gives_a_small_loop_or_a_warning():
     points, normals = clouds.sphere(20000)
     spacing = np.sqrt(4 * np.pi / 20000)
     touching = section(points, normals, (0, 0, 1), (0, 0, 1))
     x = touching.points
-    assert len(x) == 0 or np.hypot(x[:, 0], x[:, 1]).max() < 2 * spacing
-    assert section(points, normals, (0, 0, 1.01), (0, 0, 1)).points.size == 0
+    assert (len(x) == 0) == (touching.status == TOUCHING) and np.abs(x[:, :2]).max(initial=0) < 2 * spacing
+    near = section(points, normals, (0, 0, 1 + 0.05 * spacing), (0, 0, 1))
+    assert near.points.size == 0 and near.status == TOUCHING and len(near.warnings) == 1
+    assert near.field_data["NumberOfTouches"][0] == 1 and "Plane touches" in near.message
+    for turned in (normals, -normals):  # from outside and from inside
+        assert section(points, turned, (0, 0, 1 + 0.05 * spacing), (0, 0, 1)).status == TOUCHING
+    away = section(points, normals, (0, 0, 1.01), (0, 0, 1))
+    assert away.points.size == 0 and away.status == OK and away.field_data["NumberOfTouches"][0] == 0
     # The one line that a tangent line meets it in is found, or not, but never twice the same.
     surface = implicit(points, normals)
     assert surface.IntersectWithLine([-1, 0, 1 - 1e-3], [1, 0, 1 - 1e-3], None) == 2

@@ -14,6 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkPlane
 import clouds
 import sections
 
+OK, TOUCHING = 0, 6
 PLANES = 500
 PLACES = np.array([0.25, 0.5, 0.75])  # on each chord
 STEPS = np.linspace(-1, 1, 5)  # across it, in bounds
@@ -91,7 +92,7 @@ def test_500_planes_through_a_scanned_cat():
     rng = np.random.default_rng(2009)
     tested, plane = sections.filter_of(data, {}), vtkPlane()
     tested.SetPlane(plane)
-    loops = used = 0
+    loops = used = touches = 0
     smallest = np.inf
     for number in range(PLANES):
         normal = rng.normal(size=3)
@@ -102,7 +103,8 @@ def test_500_planes_through_a_scanned_cat():
         curves = sections.update(tested)
         spacing = curves.field_data["Spacing"][0]
         bound = 0.1 * spacing
-        assert curves.status == 0 and not curves.errors and not curves.warnings
+        touches += curves.status == TOUCHING
+        assert curves.status in (OK, TOUCHING) and not curves.errors
         assert curves.of_curves["ChordError"].max(initial=0) <= bound
         wanted = [loop for loop in loops_of_mesh(mesh, origin, normal) if width(loop) > 2 * spacing]
         if curves.lines:
@@ -114,4 +116,5 @@ def test_500_planes_through_a_scanned_cat():
         loops += len(wanted)
         smallest = min([smallest] + [width(loop) / spacing for loop in wanted])
     assert loops > 1.2 * PLANES and smallest < 4  # many at once, and small ones among them
+    assert touches < 0.05 * PLANES
     assert used > 1000  # a tighter bound would not hold

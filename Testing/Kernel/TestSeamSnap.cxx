@@ -126,6 +126,51 @@ void OpenToolsAreRefused()
   CHECK(Combine(cloud, box, sb::CloudOperation::Union).Status == sb::CloudBooleanStatus::BadTool);
 }
 
+/** A point that moves over the diagonal of the square around it. */
+void AnEdgeInTheWayIsFlipped()
+{
+  const auto square = [] {
+    sb::CombinedMesh mesh;
+    mesh.Points = { 0, -0.1, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0 };
+    mesh.Triangles = { 0, 1, 2, 2, 1, 3, 0, 4, 1, 0, 2, 4 };
+    mesh.OriginalPoint = { 0, 1, 2, 3, 4 };
+    mesh.PointSource.assign(5, 0);
+    mesh.Source.assign(4, 0);
+    mesh.Parent.assign(4, 0);
+    mesh.Reversed.assign(4, 0);
+    mesh.Confidence.assign(4, 1.0);
+    return mesh;
+  };
+  const auto upwards = [](std::int32_t) { return sb::MeshEdit::Front{ { 0, 0, 1 }, 0.5 }; };
+  const auto any = [](std::int32_t, std::int32_t) { return true; };
+  const auto none = [](std::int32_t, std::int32_t) { return false; };
+  const sb::Real3 place{ 0.0, 0.1, 0.0 };
+  const std::vector<std::uint8_t> zone(5, 1);
+  sb::CombinedMesh mesh = square();
+  sb::MeshEdit edit(mesh, zone, upwards);
+  CHECK(!edit.Move(0, place));
+  CHECK(!edit.MoveAcross(0, place, none));
+  CHECK(!edit.MoveAcross(0, { 0.0, 1.1, 0.0 }, any)); // beyond both triangles
+  CHECK(mesh.Triangles == square().Triangles && mesh.Points == square().Points);
+  CHECK(edit.MoveAcross(0, place, any));
+  CHECK(mesh.Point(0) == place);
+  CHECK_EQUAL(edit.TrianglesAt(0).size(), std::size_t(4));
+  CHECK_EQUAL(edit.TrianglesAt(1).size(), std::size_t(2));
+  CHECK_EQUAL(edit.TrianglesAt(3).size(), std::size_t(2));
+  CHECK_EQUAL(OpenEdges(mesh), OpenEdges(square()));
+  for (std::int32_t t = 0; t < 4; ++t)
+  {
+    const std::int32_t* const ids = mesh.Corners(t);
+    const sb::Real3 a = mesh.Point(ids[0]);
+    CHECK(sb::Cross(
+            sb::Difference(mesh.Point(ids[1]), a), sb::Difference(mesh.Point(ids[2]), a))[2] > 0.0);
+  }
+  sb::CombinedMesh ofTwo = square();
+  ofTwo.Source[1] = 1; // the edge is the seam
+  sb::MeshEdit seam(ofTwo, zone, upwards);
+  CHECK(!seam.MoveAcross(0, place, any));
+}
+
 /** Two pyramids on one square, whose middle edge can be collapsed, and whose rim cannot. */
 void CollapsesKeepTheTopology()
 {
@@ -205,6 +250,7 @@ int main()
 {
   TheSeamLiesOnBoth();
   OpenToolsAreRefused();
+  AnEdgeInTheWayIsFlipped();
   CollapsesKeepTheTopology();
   SamplesAreSortedAsTheBoxSays();
   OrientedPointsHaveAWindingNumber();
