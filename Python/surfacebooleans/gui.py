@@ -192,7 +192,9 @@ def live_tool(operation="Difference", sources=None):
     if _has_result(result):
         _show_sources(result, [body, tool])
         _hide([body, tool])
-        _show_through(moved, RED)
+        display = simple.Show(moved, _view())
+        display.Representation = "Wireframe"  # drawn faster than what is seen through
+        _paint(display, RED)
     simple.GetSettingsProxy("GeneralSettings").AutoApply = 1
     return _finished(moved)
 
@@ -214,7 +216,7 @@ def point_cloud(sources=None):
         The filter Point Set Surface or Point Set Boolean.
     """
     sources = _sources(sources, 1, 2, "a cloud of points, and a body to take away from it if there is one")
-    _check_kinds("PointSetBoolean", sources)
+    _check_kinds("PointSetBoolean" if len(sources) == 2 else "PointSetSurface", sources)
     if len(sources) == 2:
         result = simple.PointSetBoolean(
             registrationName="Point Cloud", Input=sources[0], Tool=sources[1], Operation="Difference"
@@ -335,9 +337,10 @@ def _check_kinds(kind, sources, inputs=1):
         fits = connection.IsInDomains()
         connection.RemoveAllUncheckedProxies()
         if not fits:
+            wanted = "points" if kind.startswith("PointSet") and place == "Input" else "surfaces"
             raise _CannotStart(
-                f"{_name(source)} cannot be the {place} of {prototype.GetXMLLabel()}, which takes surfaces: "
-                "Extract Surface makes one of other data."
+                f"{_name(source)} cannot be the {place} of {prototype.GetXMLLabel()}, which takes {wanted}: "
+                "Extract Surface makes such of other data."
             )
 
 
