@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Recipes for ParaView's window: macros and buttons call them, and so may scripts.
+"""Recipes for ParaView's window: the toolbar Surface Booleans and the macros call them, and so may scripts.
 
 Each takes the sources that are selected in the Pipeline Browser (the first one is the Input, the second one the Tool;
-select several with Ctrl), makes the filter, shows its result in telling colours, hides what it is made of, and returns
+select several with Ctrl; the toolbar asks by a dialog where the selection does not tell), makes the filter, shows its result in telling colours, hides what it is made of, and returns
 the filter. What is wrong is said in the Output Messages; None is returned then.
 
     from surfacebooleans import gui
@@ -11,6 +11,7 @@ the filter. What is wrong is said in the Output Messages; None is returned then.
 """
 
 import functools
+import itertools
 
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import vtkOutputWindow
@@ -19,6 +20,17 @@ from surfacebooleans.distance_map import show_distance
 
 BLUE, RED, INK = [0.22, 0.47, 0.86], [0.90, 0.20, 0.15], [0.08, 0.10, 0.16]
 MORE_COLOURS = [[0.95, 0.77, 0.20], [0.30, 0.69, 0.40], [0.58, 0.40, 0.74], [0.55, 0.47, 0.40]]
+DEFECTS = {  # values of the array Defect
+    0: ("sound", [0.80, 0.85, 0.92]),
+    1: ("hole", [0.90, 0.20, 0.15]),
+    2: ("more than two polygons", [0.58, 0.40, 0.74]),
+    3: ("contradicting orientation", [0.93, 0.51, 0.93]),
+    4: ("touching in a point", [0.10, 0.10, 0.12]),
+    5: ("meets itself", [0.98, 0.60, 0.10]),
+    6: ("no area", [0.55, 0.47, 0.40]),
+    7: ("repeated", [0.30, 0.69, 0.40]),
+    8: ("wrong way round", [0.95, 0.77, 0.20]),
+}
 SEE_THROUGH = 0.25  # opacity of what is only there for comparison
 
 
@@ -44,23 +56,28 @@ def _told(recipe):
 
 
 @_told
-def boolean(operation="Union", sources=None):
+def boolean(operation="Union", sources=None, inputs=1):
     """Surface Boolean of the selected sources, coloured by where its cells come from: blue Input, red Tool.
 
     Parameters
     ----------
     operation : {"Union", "Intersection", "Difference", "Symmetric Difference", "Resolve"}, optional
     sources : list of proxies, optional
-        Instead of the selected ones; all after the first one are Tools.
+        Instead of the selected ones.
+    inputs : int, optional
+        How many of them, from the first one on, are Inputs; all others are Tools.
 
     Returns
     -------
     proxy or None
-        The filter; None if too few sources are selected.
+        The filter; None if too few sources are selected, or one that is no surface.
     """
     least = 1 if operation == "Resolve" else 2
     sources = _sources(sources, least, None, f"{operation} takes the first one as Input, all others as Tools")
-    result = simple.SurfaceBoolean(registrationName=operation, Input=sources[:1], Tool=sources[1:], Operation=operation)
+    _check_kinds("SurfaceBoolean", sources, inputs)
+    result = simple.SurfaceBoolean(
+        registrationName=operation, Input=sources[:inputs], Tool=sources[inputs:], Operation=operation
+    )
     if _has_result(result):
         _show_sources(result, sources)
         _hide(sources)
@@ -82,6 +99,7 @@ def curves(sources=None):
         The filter Surface Intersection.
     """
     sources = _sources(sources, 1, 2, "the curves of two surfaces, or of one with itself")
+    _check_kinds("SurfaceIntersection", sources)
     result = simple.SurfaceIntersection(registrationName="Curves", Input=sources[0], Tool=sources[1:])
     if _has_result(result):
         for source, colour in zip(sources, (BLUE, RED)):
@@ -110,6 +128,7 @@ def distance_map(sources=None, histogram=True):
         The filter Surface Distance.
     """
     sources = _sources(sources, 2, 2, "the first one is measured, the second one is the surface")
+    _check_kinds("SurfaceDistance", sources)
     result = simple.SurfaceDistance(registrationName="Distance", Input=sources[0], Tool=sources[1])
     if _has_result(result):
         view = _view()
@@ -136,6 +155,7 @@ def clip(sources=None):
         The filter Closed Surface Clip.
     """
     (source,) = _sources(sources, 1, 1, "the closed surface to clip")
+    _check_kinds("ClosedSurfaceClip", [source])
     bounds = source.GetDataInformation().GetBounds()
     middle = [(low + high) / 2 for low, high in zip(bounds[::2], bounds[1::2])]
     result = simple.ClosedSurfaceClip(
@@ -166,12 +186,15 @@ def live_tool(operation="Difference", sources=None):
         The Transform of the tool.
     """
     body, tool = _sources(sources, 2, 2, "the first one stays, the second one can be dragged")
+    _check_kinds("SurfaceBoolean", [body, tool])
     moved = simple.Transform(registrationName=f"Drag {_name(tool)}", Input=tool)
     result = simple.SurfaceBoolean(registrationName=operation, Input=body, Tool=moved, Operation=operation)
     if _has_result(result):
         _show_sources(result, [body, tool])
         _hide([body, tool])
-        _show_through(moved, RED)
+        display = simple.Show(moved, _view())
+        display.Representation = "Wireframe"  # drawn faster than what is seen through
+        _paint(display, RED)
     simple.GetSettingsProxy("GeneralSettings").AutoApply = 1
     return _finished(moved)
 
@@ -193,6 +216,7 @@ def point_cloud(sources=None):
         The filter Point Set Surface or Point Set Boolean.
     """
     sources = _sources(sources, 1, 2, "a cloud of points, and a body to take away from it if there is one")
+    _check_kinds("PointSetBoolean" if len(sources) == 2 else "PointSetSurface", sources)
     if len(sources) == 2:
         result = simple.PointSetBoolean(
             registrationName="Point Cloud", Input=sources[0], Tool=sources[1], Operation="Difference"
@@ -212,6 +236,78 @@ def point_cloud(sources=None):
     return _finished(result)
 
 
+@_told
+def check(sources=None):
+    """What is wrong with the selected surface, and where: thick lines and points upon it, and the verdict in words.
+
+    Parameters
+    ----------
+    sources : list of proxies, optional
+        Instead of the selected one.
+
+    Returns
+    -------
+    proxy or None
+        The filter Surface Check.
+    """
+    (source,) = _sources(sources, 1, 1, "the surface to check")
+    _check_kinds("SurfaceCheck", [source])
+    result = simple.SurfaceCheck(registrationName="Check", Input=source)
+    if _has_result(result):
+        view = _view()
+        surface = simple.Show(simple.OutputPort(result, 0), view)
+        surface.Representation = "Surface"
+        places = simple.Show(simple.OutputPort(result, 1), view)
+        places.Representation = "Surface"
+        places.LineWidth, places.PointSize = 4, 10
+        table = simple.GetColorTransferFunction("Defect")
+        _name_values(table, DEFECTS)
+        for display in (surface, places):  # not by ColorBy, which warns where there is no defect
+            display.ColorArrayName, display.LookupTable = ["CELLS", "Defect"], table
+        _show_legend(surface, table, view)
+        _show_verdict(result, view)
+        _hide([source])
+    return _finished(result)
+
+
+@_told
+def show_tool(result=None):
+    """Show the Tools of the selected filter, so that one can see through them; hide them if they are shown so already.
+
+    Parameters
+    ----------
+    result : proxy, optional
+        Instead of the selected filter.
+
+    Returns
+    -------
+    proxy or None
+        The filter; None if it has no Tool.
+    """
+    result = result or simple.GetActiveSource()
+    tools = getattr(result, "Tool", None)
+    tools = [tools] if isinstance(tools, servermanager.Proxy) else list(tools or [])
+    if not tools:
+        raise _CannotStart("Select a filter that has a Tool in the Pipeline Browser first, such as a Difference.")
+    view = _view()
+    displays = [simple.GetDisplayProperties(tool, view) for tool in tools]
+    shown = all(display.Visibility and display.Opacity == SEE_THROUGH for display in displays)
+    for tool, colour in zip(tools, itertools.cycle([RED, *MORE_COLOURS])):
+        if shown:
+            simple.Hide(tool, view)
+        else:
+            _show_through(tool, colour)
+    return _finished(result)
+
+
+def chosen(ports):
+    """The sources that the toolbar's dialog was given, from the ids of their proxies and the numbers of their ports."""
+    session = servermanager.ActiveConnection.Session
+    return [
+        simple.OutputPort(servermanager._getPyProxy(session.GetRemoteObject(proxy)), port) for proxy, port in ports
+    ]
+
+
 # ---- what they share ---------------------------------------------------------------------------
 
 
@@ -228,6 +324,24 @@ def _sources(sources, least, most, what):
     for source in sources:
         source.UpdatePipeline()
     return sources
+
+
+def _check_kinds(kind, sources, inputs=1):
+    """Refuse a source that the filter cannot take at its place: the filter itself could only say what class it is of."""
+    prototype = servermanager.ProxyManager().GetPrototypeProxy("filters", kind)
+    for k, source in enumerate(sources):
+        place = "Input" if k < inputs else "Tool"
+        connection = prototype.GetProperty(place)
+        connection.RemoveAllUncheckedProxies()
+        connection.AddUncheckedInputConnection(source.SMProxy, getattr(source, "Port", 0))
+        fits = connection.IsInDomains()
+        connection.RemoveAllUncheckedProxies()
+        if not fits:
+            wanted = "points" if kind.startswith("PointSet") and place == "Input" else "surfaces"
+            raise _CannotStart(
+                f"{_name(source)} cannot be the {place} of {prototype.GetXMLLabel()}, which takes {wanted}: "
+                "Extract Surface makes such of other data."
+            )
 
 
 def _has_result(result):
@@ -276,13 +390,33 @@ def _show_sources(result, sources):
     display.Representation = "Surface"
     simple.ColorBy(display, ("CELLS", "SourceId"), separate=True)
     table = simple.GetColorTransferFunction("SourceId", display, separate=True)
-    colours = [BLUE, RED, *MORE_COLOURS]
+    colours = itertools.cycle([BLUE, RED, *MORE_COLOURS])
+    _name_values(table, {k: (_name(source), next(colours)) for k, source in enumerate(sources)})
+    _show_legend(display, table, view)
+
+
+def _name_values(table, names):
+    """A word and a colour for each value."""
     table.InterpretValuesAsCategories = 1
-    table.Annotations = [text for k, source in enumerate(sources) for text in (str(k), _name(source))]
-    table.IndexedColors = [part for k in range(len(sources)) for part in colours[k % len(colours)]]
+    table.Annotations = [text for value, (word, _) in names.items() for text in (str(value), word)]
+    table.IndexedColors = [part for _, colour in names.values() for part in colour]
+
+
+def _show_legend(display, table, view):
+    """The names of the values, without a title."""
     display.SetScalarBarVisibility(view, True)
     bar = simple.GetScalarBar(table, view)
     bar.Title, bar.ComponentTitle = "", ""
+
+
+def _show_verdict(result, view):
+    """The verdict in words, in a corner of the view; it follows the filter."""
+    words = simple.PythonAnnotation(registrationName="Verdict", Input=result, ArrayAssociation="Field Data")
+    words.Expression = (
+        "__import__('textwrap').fill(inputs[0].VTKObject.GetFieldData().GetAbstractArray('Verdict').GetValue(0), 80)"
+    )
+    display = simple.Show(words, view)
+    display.FontSize, display.WindowLocation = 12, "Lower Left Corner"
 
 
 def _show_through(source, colour):
