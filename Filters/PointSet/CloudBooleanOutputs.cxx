@@ -110,6 +110,7 @@ void BuildSurface(const CloudBooleanParts& parts, vtkPolyData* surface, sb::Exec
   MarkSeam(surface, onSeam);
   vtkCellData* const cells = surface->GetCellData();
   cells->AddArray(MakeArray<vtkIntArray>("SourceId", 1, result.Mesh.Source));
+  cells->SetActiveScalars("SourceId"); // ParaView colours by it at once
   std::vector<vtkIdType> original(result.ToolTriangle.size());
   std::transform(result.ToolTriangle.begin(), result.ToolTriangle.end(), original.begin(),
     [&](std::int32_t t) { return t < 0 ? -1 : vtkIdType(parts.Tool.CellOfTriangle(t)); });
