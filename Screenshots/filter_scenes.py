@@ -37,18 +37,18 @@ class Scene:
     shown : the outputs that tell most, each with its representation; all but the first are red
     context : whether the inputs are shown with them, faintly
     near : the box to look at, if not everything
+    fit : how large everything is in the picture, against the ball around it
     settings : the other properties of the filter
     """
 
-    def __init__(
-        self, inputs, view=FRONT_VIEW, colour=None, shown=((0, "Surface"),), context=False, near=None, **settings
-    ):
+    def __init__(self, inputs, view=FRONT_VIEW, colour=None, shown=((0, "Surface"),), **settings):
         self.inputs = inputs
         self.view = view
         self.colour = colour
         self.shown = shown
-        self.context = context
-        self.near = near
+        self.context = settings.pop("context", False)
+        self.near = settings.pop("near", None)
+        self.fit = settings.pop("fit", 0.72)
         self.settings = settings
 
 
@@ -98,9 +98,8 @@ def surface_distance(folder):
 
 def surface_distance_field(folder):
     outputs = ((0, "Slice"),)
-    return Scene(
-        {"Input": elephant(folder)}, ELEPHANT_VIEW, ("POINTS", "Distance"), outputs, context=True, Dimensions=[96, 96, 96]
-    )
+    settings = {"Dimensions": [96, 96, 96], "context": True, "fit": 0.9}
+    return Scene({"Input": elephant(folder)}, ELEPHANT_VIEW, ("POINTS", "Distance"), outputs, **settings)
 
 
 def closed_surface_clip(folder):
@@ -116,7 +115,7 @@ def closed_surface_cut(folder):
 def contour_triangulator(folder):
     lines = simple.Slice(registrationName="Contours", Input=elephant(folder), Triangulatetheslice=0)
     lines.SliceType.Origin, lines.SliceType.Normal = [0, 0, 0.08], [0, 0, 1]
-    return Scene({"Input": lines}, ((0, 0, 1), (0, 1, 0)), ("CELLS", "PolygonId"))
+    return Scene({"Input": lines}, ((0, 0, 1), (0, 1, 0)), ("CELLS", "PolygonId"), fit=0.95)
 
 
 def cat(folder):
@@ -140,7 +139,7 @@ def cat(folder):
 
 def point_set_surface(folder):
     outputs = ((1, "Surface"),)
-    return Scene({"Input": cat(folder)}, colour=("POINTS", "MeanCurvature"), shown=outputs, GenerateSurface=1)
+    return Scene({"Input": cat(folder)}, colour=("POINTS", "MeanCurvature"), shown=outputs, fit=0.8, GenerateSurface=1)
 
 
 def point_set_intersection(folder):
@@ -152,7 +151,7 @@ def point_set_boolean(folder):
 
 
 def nurbs_reader(_folder):
-    return Scene({}, SLANTED_VIEW, ("CELLS", "FaceId"), FileName=SCREW)
+    return Scene({}, SLANTED_VIEW, ("CELLS", "FaceId"), fit=1, FileName=SCREW)
 
 
 SCENES = {

@@ -44,7 +44,7 @@ def look_from(view, scene):
     else:
         view.CameraParallelProjection = 1
         simple.ResetCamera(view)
-        view.CameraParallelScale *= 0.72  # it fits the ball around everything
+        view.CameraParallelScale *= scene.fit
 
 
 def show_inputs(view, scene, opacity=1):
