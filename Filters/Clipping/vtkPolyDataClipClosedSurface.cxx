@@ -162,6 +162,12 @@ void vtkPolyDataClipClosedSurface::Run::ListPlanes()
 void vtkPolyDataClipClosedSurface::Run::CheckSettings() const
 {
   const int badRequest = static_cast<int>(sb::Status::BadRequest);
+  const double* box = this->Filter->Box;
+  if (this->Filter->UseBox && (box[0] > box[1] || box[2] > box[3] || box[4] > box[5]))
+  {
+    throw sbvtk::Failure{ badRequest,
+      "Box has a minimum above its maximum; set it to xmin, xmax, ymin, ymax, zmin, zmax." };
+  }
   for (std::size_t i = 0; i < this->Planes.size(); ++i)
   {
     if (!sb::IsPlane(this->Planes[i]))

@@ -73,6 +73,9 @@ void vtkPolyDataContourTriangulator::Run::Execute()
         sbvtk::ConditionSentence(this->Result.Remarks.front(), "Input", -1) };
     }
     this->BuildPoints();
+    // Lines of a slice bring normals of the surface, which would shade the flat filling as if it
+    // were bent: the array stays, but is no longer what the cells are shaded by.
+    this->Output->GetPointData()->SetActiveAttribute(-1, vtkDataSetAttributes::NORMALS);
     this->BuildTriangles();
     this->Report();
     sbvtk::StopIfAsked(this->Filter);

@@ -77,6 +77,7 @@ std::vector<std::string> BuildSurface(
   MarkSeam(surface, onSeam);
   vtkCellData* const cells = surface->GetCellData();
   cells->AddArray(ArrayOf<vtkIntArray>("SourceId", 1, result.Mesh.Source));
+  cells->SetActiveScalars("SourceId"); // ParaView colours by it at once
   cells->AddArray(ArrayOf<vtkIdTypeArray>("OriginalCellId", 1, original));
   cells->AddArray(ArrayOf<vtkDoubleArray>("Confidence", 1, result.Mesh.Confidence));
   if (!result.FaceId.empty())

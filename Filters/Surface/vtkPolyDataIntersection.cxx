@@ -228,6 +228,7 @@ void vtkPolyDataIntersection::Run::AddCurveArrays()
   }
   this->Curves->GetCellData()->AddArray(ids);
   this->Curves->GetCellData()->AddArray(sources);
+  this->Curves->GetCellData()->SetActiveScalars("CurveId"); // ParaView colours by it at once
   // ParaView tells of no field data at all where one array in them has no tuple.
   if (!curves.Segments.empty())
   {

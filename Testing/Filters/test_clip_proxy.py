@@ -15,7 +15,7 @@ PROPERTIES = {
         "Normal": [1.0, 0.0, 0.0],
         "Planes": [],
         "UseBox": 0,
-        "Box": [-1.0, 1.0, -1.0, 1.0, -1.0, 1.0],
+        "Box": [-0.5, 0.5, -0.5, 0.5, -0.5, 0.5],
         "InsideOut": 0,
         "GenerateFaces": 1,
         "GenerateOutline": 0,
@@ -67,7 +67,9 @@ def sources(proxy):
 
 @pytest.mark.parametrize("name", PROPERTIES)
 def test_properties_defaults_help_icon_and_ports(name):
-    proxy = getattr(simple, name)(Input=simple.Box())
+    cube = simple.Box()
+    cube.UpdatePipeline()  # as in the window, so that its bounds are known
+    proxy = getattr(simple, name)(Input=cube)
     assert set(proxy.ListProperties()) == set(PROPERTIES[name])
     for key, default in PROPERTIES[name].items():
         if default is not None:
@@ -83,6 +85,15 @@ def test_properties_defaults_help_icon_and_ports(name):
     assert menu.GetAttribute("icon").endswith(f"{name}.svg")
     for port, wanted in enumerate(PORTS[name] or []):
         assert proxy.SMProxy.GetOutputPortName(port) == wanted
+
+
+def test_a_box_the_wrong_way_round_is_refused():
+    """As it comes about if the bounds were not known yet."""
+    clip = simple.ClosedSurfaceClip(Input=simple.Box(), UseBox=1)
+    clip.UpdatePipeline()
+    assert clip.FieldData["Status"].GetRange() == (10, 10)
+    clip.Box = [-1, 0.25, -1, 1, -1, 1]
+    assert sources(clip)[0] == 0 and clip.FieldData["Status"].GetRange() == (0, 0)
 
 
 def test_the_plane_the_table_and_the_box_clip_together():
