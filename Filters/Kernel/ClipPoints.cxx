@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace sb
 {
@@ -19,19 +18,6 @@ constexpr std::int32_t ofVertex = -1;
 constexpr std::int32_t ofFace = -2;
 constexpr std::int32_t ofPlanes = -3;
 constexpr std::int32_t unnamed = -4;
-
-std::uint64_t HashPlace(const double* p)
-{
-  std::uint64_t hash = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double coordinate = p[axis] + 0.0; // the two zeros are one place
-    std::uint64_t bits;
-    std::memcpy(&bits, &coordinate, sizeof bits);
-    hash = Mix(bits + 0x9e3779b97f4a7c15u * (hash + 1));
-  }
-  return hash;
-}
 
 double Distance(const double* a, const double* b)
 {

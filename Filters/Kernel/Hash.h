@@ -11,6 +11,7 @@
 #define sb_Hash_h
 
 #include <cstdint>
+#include <cstring>
 
 namespace sb
 {
@@ -30,6 +31,20 @@ inline std::uint64_t HashPair(std::int32_t a, std::int32_t b, std::uint64_t seed
   const std::uint64_t pair =
     (std::uint64_t(static_cast<std::uint32_t>(a)) << 32) | static_cast<std::uint32_t>(b);
   return Mix(Mix(pair + 0x9e3779b97f4a7c15u * (seed + 1)) + seed);
+}
+
+/** A hash of a place, by the bits of its three coordinates. */
+inline std::uint64_t HashPlace(const double* point)
+{
+  std::uint64_t hash = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double coordinate = point[axis] + 0.0; // the two zeros are one place
+    std::uint64_t bits;
+    std::memcpy(&bits, &coordinate, sizeof bits);
+    hash = Mix(bits + 0x9e3779b97f4a7c15u * (hash + 1));
+  }
+  return hash;
 }
 
 } // namespace sb

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <memory>
 
@@ -28,19 +27,6 @@ struct TriangleSums
   double Area = 0.0;
   std::uint64_t Boundary = 0;
 };
-
-std::uint64_t HashPoint(const double* p)
-{
-  std::uint64_t hash = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double coordinate = p[axis] + 0.0; // the two zeros are one place
-    std::uint64_t bits;
-    std::memcpy(&bits, &coordinate, sizeof bits);
-    hash = Mix(bits + 0x9e3779b97f4a7c15u * (hash + 1));
-  }
-  return hash;
-}
 
 /**
  * A triangle's area in a plane where each point lies at a random place, made of its hash. The area
@@ -213,7 +199,7 @@ public:
       this->Mesh.NumberOfPoints, BlockSize, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i)
         {
-          hashes[std::size_t(i)] = HashPoint(this->Mesh.Points + 3 * i);
+          hashes[std::size_t(i)] = HashPlace(this->Mesh.Points + 3 * i);
         }
       });
     if (!this->MeasureAllTriangles(hashes) || !this->HasGoodCoordinates())

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstring>
 #include <utility>
 
 namespace sb
@@ -17,19 +16,6 @@ namespace
 
 constexpr std::int64_t Grain = 8192;
 constexpr int HashBits = 33; // three digits of the radix sort; those that share them are compared
-
-std::uint64_t HashPlace(const double* point)
-{
-  std::uint64_t hash = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double coordinate = point[axis] + 0.0; // the two zeros are one place
-    std::uint64_t bits;
-    std::memcpy(&bits, &coordinate, sizeof bits);
-    hash = Mix(bits + 0x9e3779b97f4a7c15u * (hash + 1));
-  }
-  return hash;
-}
 
 bool SamePlace(const double* points, std::int32_t a, std::int32_t b)
 {
