@@ -16,6 +16,7 @@ TUBE = 0.4
 NOISE = 0.2  # in spacings
 TOOL_RADIUS = 0.7  # around (1, 0, 0)
 LIBRARIES = ("ours", "pymeshlab")
+WITH_THREADS = ("ours", "ours-threads", "pymeshlab")
 
 
 @dataclass
@@ -79,7 +80,7 @@ def all_cloud_cases(quick):
     size = "20k" if quick else "1M"
     yield CloudCase(f"project {size} points", "project", points, normals)
     yield CloudCase(f"normals of {size} points", "estimate", points, normals)
-    yield CloudCase(f"mesh of {size} points", "mesh", points, normals)
+    yield CloudCase(f"mesh of {size} points", "mesh", points, normals, WITH_THREADS)
     sphere, triangles = icosphere(20 if quick else 64)
     tool = sphere * TOOL_RADIUS + [1, 0, 0], triangles
-    yield CloudCase(f"{size} points - sphere", "boolean", points, normals, tool=tool)
+    yield CloudCase(f"{size} points - sphere", "boolean", points, normals, WITH_THREADS, tool)
