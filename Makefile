@@ -8,7 +8,9 @@ CMAKE_ARGUMENTS :=
 FUZZ_SECONDS := 600
 TORTURE_PAIRS := 3000
 
-.PHONY: build test demo bench fuzz torture gui screenshots format clean dependencies
+PREFIX := /usr/local
+
+.PHONY: build test demo bench fuzz torture gui install package screenshots format clean dependencies
 
 build: dependencies
 	@cmake -G Ninja -S . -B $(BUILD) -DCMAKE_BUILD_TYPE=Release $(CMAKE_ARGUMENTS) > $(BUILD)-configure.log 2>&1 \
@@ -39,6 +41,14 @@ gui: build
 
 screenshots: demo
 	@. $(BUILD)/env.sh && BUILD=$(BUILD) Screenshots/gallery.sh
+
+install: build
+	@cmake --install $(BUILD) --prefix "$(PREFIX)" > $(BUILD)/install.log
+	@echo "Installed. To use it: . $(PREFIX)/share/surfacebooleans/env.sh"
+
+package: build
+	@cpack --config $(BUILD)/CPackConfig.cmake > $(BUILD)/package.log 2>&1 || { cat $(BUILD)/package.log; exit 1; }
+	@echo "To install it: apt-get install ./$$(ls -t $(BUILD)/package/*.deb | head -n 1)"
 
 format:
 	@find Filters Testing Plugin \( -name '*.h' -o -name '*.cxx' \) -exec clang-format -i {} +

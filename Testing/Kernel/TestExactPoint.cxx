@@ -361,7 +361,7 @@ void TestWidest()
     CHECK(OnPlane(exact, Plane(p[3], p[4], p[5])));
     CHECK(OnPlane(exact, Plane(p[6], p[7], p[8])));
     CheckPoint(point);
-    widest = std::max(widest, msb(exact.Denominator));
+    widest = std::max(widest, static_cast<unsigned>(msb(exact.Denominator)));
     points.push_back(point);
   }
   CHECK(points.size() > 1000);
