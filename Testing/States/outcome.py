@@ -13,9 +13,11 @@ import sys
 
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 PICTURE_SIZE = [800, 600]
 TIMES = {"StageSeconds"}  # what differs from run to run
+LEAST_SEEN, EDGES = 10, 0.001  # of 255 a pixel; the share of pixels at edges, which the window smooths otherwise
 
 
 def fingerprint(data):
@@ -62,6 +64,23 @@ def note(folder):
     if views:
         simple.SaveScreenshot(str(folder / "outcome.png"), views[0], ImageResolution=PICTURE_SIZE)
     (folder / "outcome.json").write_text(json.dumps(outputs(), indent=1, sort_keys=True))
+
+
+def read_picture(folder):
+    """The picture's vtkImageData."""
+    reader = vtkPNGReader()
+    reader.SetFileName(str(pathlib.Path(folder) / "outcome.png"))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def difference(first, second):
+    """What differs between two noted outcomes; empty if the data are equal, and the pictures but for edges of the window."""
+    names = [json.loads((pathlib.Path(folder) / "outcome.json").read_text()) for folder in (first, second)]
+    found = [name for name in {**names[0], **names[1]} if names[0].get(name) != names[1].get(name)]
+    pictures = [vtk_to_numpy(read_picture(folder).GetPointData().GetScalars()).astype(int) for folder in (first, second)]
+    share = (abs(pictures[0] - pictures[1]).max(axis=1) > LEAST_SEEN).mean()
+    return found + ([f"{share:.2%} of the picture"] if share > EDGES else [])
 
 
 def replay(file):

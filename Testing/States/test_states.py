@@ -11,7 +11,8 @@ import xml.etree.ElementTree as XML
 
 import pytest
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOImage import vtkPNGReader
+
+import outcome
 
 HERE = pathlib.Path(__file__).resolve().parent
 STATES = ("all_filters.pvsm", "all_filters_state.py")
@@ -45,10 +46,7 @@ def outputs(folder):
 
 
 def pixels(folder):
-    reader = vtkPNGReader()
-    reader.SetFileName(str(folder / "outcome.png"))
-    reader.Update()
-    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+    return vtk_to_numpy(outcome.read_picture(folder).GetPointData().GetScalars())
 
 
 @pytest.fixture(scope="module")
