@@ -23,6 +23,21 @@ constexpr std::int64_t Grain = 256;
 constexpr int MostRounds = 120; ///< two for half the length
 constexpr std::int32_t None = PlaceTable::None;
 
+constexpr double FinestCut = 0x1p-46; ///< in largest coordinates: where middles still are such
+
+/** Far away from the origin doubles are too sparse to cut edges finely; then they stay longer. */
+RefinementRequest Feasible(RefinementRequest request, const std::vector<double>& points)
+{
+  double largest = 0.0;
+  for (const double coordinate : points)
+  {
+    largest = std::max(largest, std::abs(coordinate));
+  }
+  request.LongestEdge = std::max(request.LongestEdge, FinestCut * largest);
+  request.ChordError = std::max(request.ChordError, FinestCut * largest);
+  return request;
+}
+
 /** A triangle that is, or may have to be, cut. */
 struct Piece
 {
@@ -40,7 +55,7 @@ public:
     const RefinementRequest& request, Executor& executor, Monitor& monitor)
     : Input(surface)
     , Samples(samples)
-    , Request(request)
+    , Request(Feasible(request, surface.Points))
     , Threads(executor)
     , Watch(monitor)
     , Points(surface.Points)

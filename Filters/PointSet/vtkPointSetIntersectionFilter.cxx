@@ -30,6 +30,7 @@ vtkStandardNewMacro(vtkPointSetIntersectionFilter);
 namespace
 {
 constexpr double ChordErrorInSpacings = 0.1;
+constexpr double LeastChordErrorInSpacings = 1e-8; ///< less costs much and is lost in rounding
 using CloudFilter = vtkPointSetSurfaceFilter;
 
 /** A unit vector, or 0 where the triangle has no area. */
@@ -150,8 +151,9 @@ void vtkPointSetIntersectionFilter::Run::PrepareTool()
 //------------------------------------------------------------------------------
 void vtkPointSetIntersectionFilter::Run::Intersect()
 {
-  const double bound = this->Filter->ChordError > 0.0 ? this->Filter->ChordError
-                                                      : ChordErrorInSpacings * this->Cloud.Spacing;
+  const double bound = this->Filter->ChordError > 0.0
+    ? std::max(this->Filter->ChordError, LeastChordErrorInSpacings * this->Cloud.Spacing)
+    : ChordErrorInSpacings * this->Cloud.Spacing;
   sbvtk::KernelMonitor monitor(this->Filter, 0.7, 1.0);
   const sbvtk::CutWith cutter = !this->HasTool   ? sbvtk::CutWith::Plane
     : this->Filter->Tool->Surface().HasPatches() ? sbvtk::CutWith::Patches

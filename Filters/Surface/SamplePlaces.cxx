@@ -32,12 +32,14 @@ void MeansOfCells(
   const Id* ids = static_cast<const Id*>(cells->GetConnectivityArray()->GetVoidPointer(0));
   const double* coordinates = points.Coordinates();
   const std::int64_t limit = points.Count();
-  executor.For(cells->GetNumberOfCells(), grain, [=](std::int64_t begin, std::int64_t end) {
-    for (std::int64_t cell = begin; cell < end; ++cell)
+  const Id end = static_cast<Id>(cells->GetNumberOfConnectivityIds());
+  executor.For(cells->GetNumberOfCells(), grain, [=](std::int64_t first, std::int64_t last) {
+    for (std::int64_t cell = first; cell < last; ++cell)
     {
       double sum[3] = { 0.0, 0.0, 0.0 };
       std::int64_t count = 0;
-      for (Id place = offsets[cell]; place < offsets[cell + 1]; ++place)
+      for (Id place = std::max<Id>(0, offsets[cell]); place < std::min(end, offsets[cell + 1]);
+           ++place)
       {
         if (ids[place] >= 0 && ids[place] < limit)
         {

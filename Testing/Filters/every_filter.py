@@ -55,7 +55,7 @@ FILTERS = {
     "SurfaceBoolean": Filter("vtkPolyDataBooleanOperationFilter", ("body", "tool"), {"Operation": 2}),
     "SurfaceIntersection": Filter("vtkPolyDataIntersection", ("body", "tool")),
     "SurfaceDistance": Filter("vtkPolyDataDistance", ("body", "tool"), ALL_DISTANCES),
-    "SurfaceDistanceField": Filter("vtkPolyDataDistanceField", ("body",)),
+    "SurfaceDistanceField": Filter("vtkPolyDataDistanceField", ("body",), {"Dimensions": (24, 24, 24)}),
     "SurfaceCheck": Filter("vtkPolyDataSurfaceCheck", ("body",)),
     "ClosedSurfaceClip": Filter("vtkPolyDataClipClosedSurface", ("body",), CLIP),
     "ClosedSurfaceCut": Filter("vtkPolyDataCutClosedSurface", ("body",), {"Normal": (0.2, 0.3, 1)}),
