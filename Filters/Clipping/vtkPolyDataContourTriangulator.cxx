@@ -9,18 +9,26 @@
 #include "FieldArrays.h"
 #include "KernelExecutor.h"
 #include "PreparedInput.h"
+#include "SurfaceInput.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkTypeInt64Array.h"
 
@@ -244,7 +252,118 @@ void vtkPolyDataContourTriangulator::Run::AddFields(int status, const std::strin
 void vtkPolyDataContourTriangulator::ComputeWhole(
   vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  Run(this, vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(outputs)).Execute();
+  vtkDataObject* input = vtkDataObject::GetData(inputs[0], 0);
+  vtkDataObject* output = vtkDataObject::GetData(outputs, 0);
+  vtkCompositeDataSet* blocks = vtkCompositeDataSet::SafeDownCast(input);
+  if (!blocks)
+  {
+    this->Fill(input, vtkPolyData::SafeDownCast(output));
+    return;
+  }
+  const auto filled = vtkSmartPointer<vtkCompositeDataSet>::Take(blocks->NewInstance());
+  filled->CopyStructure(blocks);
+  const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    vtkNew<vtkPolyData> block;
+    this->Fill(iterator->GetCurrentDataObject(), block);
+    filled->SetDataSet(iterator, block);
+  }
+  vtkPolyData* merged = vtkPolyData::SafeDownCast(output);
+  merged ? Merge(filled, merged) : output->ShallowCopy(filled);
+}
+
+//------------------------------------------------------------------------------
+/** Blocks that were filled as one surface, with the polygons counted through. */
+void vtkPolyDataContourTriangulator::Merge(vtkCompositeDataSet* filled, vtkPolyData* output)
+{
+  int status = 0;
+  std::string message = "The result is complete.";
+  vtkIdType count = 0;
+  const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(filled->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    vtkPolyData* block = vtkPolyData::SafeDownCast(iterator->GetCurrentDataObject());
+    vtkFieldData* fields = block->GetFieldData();
+    const int own = vtkIntArray::SafeDownCast(fields->GetArray("Status"))->GetValue(0);
+    if (status == 0 && own != 0)
+    {
+      status = own;
+      message = vtkStringArray::SafeDownCast(fields->GetAbstractArray("Message"))->GetValue(0);
+    }
+    vtkIdType largest = -1;
+    if (auto* ids = vtkIdTypeArray::SafeDownCast(block->GetCellData()->GetArray("PolygonId")))
+    {
+      for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
+      {
+        largest = std::max(largest, ids->GetValue(i));
+        ids->SetValue(i, ids->GetValue(i) + count);
+      }
+    }
+    count += largest + 1;
+  }
+  sbvtk::SurfaceInput surface;
+  sbvtk::KernelExecutor executor;
+  surface.Read(filled, executor);
+  output->ShallowCopy(surface.Surface());
+  sbvtk::AddField(output, "Status", status);
+  sbvtk::AddField(output, "Message", message);
+  sbvtk::AddField<vtkIdTypeArray>(output, "PolygonCount", std::vector<vtkIdType>{ count });
+}
+
+//------------------------------------------------------------------------------
+void vtkPolyDataContourTriangulator::Fill(vtkDataObject* input, vtkPolyData* output)
+{
+  if (vtkPolyData* lines = vtkPolyData::SafeDownCast(input))
+  {
+    Run(this, lines, output).Execute();
+    return;
+  }
+  const std::string sentence = input ? std::string("Input is of type ") + input->GetClassName() +
+      ", which has no lines; apply Extract Surface and Feature Edges to it first."
+                                     : "Input has no data; update the filter before it.";
+  sbvtk::AddField(output, "Status", static_cast<int>(NOT_A_SURFACE));
+  sbvtk::AddField(output, "Message", sentence);
+  vtkErrorMacro(<< sentence);
+}
+
+//------------------------------------------------------------------------------
+int vtkPolyDataContourTriangulator::FillInputPortInformation(int, vtkInformation* info)
+{
+  // Composite data come whole: processes of a server may have different blocks, and if each went
+  // through its own block by block, they would wait for each other for ever.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkPolyDataContourTriangulator::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+/** The output has blocks if the input has; but not of several processes, which the pipeline does
+ * not always execute together where the output is composite. */
+vtkTypeBool vtkPolyDataContourTriangulator::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return this->Superclass::ProcessRequest(request, inputs, outputs);
+  }
+  const bool alone = !this->GetController() || this->GetController()->GetNumberOfProcesses() < 2;
+  vtkCompositeDataSet* blocks = alone ? vtkCompositeDataSet::GetData(inputs[0], 0) : nullptr;
+  const char* wanted = blocks ? blocks->GetClassName() : "vtkPolyData";
+  vtkDataObject* output = vtkDataObject::GetData(outputs, 0);
+  if (!output || std::string(output->GetClassName()) != wanted)
+  {
+    const auto made = blocks ? vtkSmartPointer<vtkDataObject>::Take(blocks->NewInstance())
+                             : vtkSmartPointer<vtkDataObject>(vtkSmartPointer<vtkPolyData>::New());
+    outputs->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), made);
+  }
+  return 1;
 }
 
 //------------------------------------------------------------------------------

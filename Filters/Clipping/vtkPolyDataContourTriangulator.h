@@ -21,12 +21,17 @@
  * contours' size, give a warning: they are filled as seen along the plane's normal.
  *
  * Field data, after that of the input: `Status`, `Message`, `PolygonCount`.
+ *
+ * Blocks of composite data are filled one by one, and the output has the same blocks; where several
+ * processes share them, the output is one surface of all blocks.
  */
 #ifndef vtkPolyDataContourTriangulator_h
 #define vtkPolyDataContourTriangulator_h
 
 #include "sbClippingModule.h" // for the export macro
 #include "vtkWholePolyDataAlgorithm.h"
+
+class vtkCompositeDataSet;
 
 class SBCLIPPING_EXPORT vtkPolyDataContourTriangulator : public vtkWholePolyDataAlgorithm
 {
@@ -39,15 +44,21 @@ public:
    * Filters/Kernel/Boolean.h, 0 to 10). */
   enum StatusType
   {
+    NOT_A_SURFACE = 20, ///< error: an input is no polygonal data
     OUT_OF_MEMORY = 22, ///< error: the result does not fit into memory
     OPEN_CONTOURS = 24, ///< warning: lines that are part of no closed contour
     NOT_PLANAR = 25 ///< warning: points off the plane
   };
 
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
 protected:
   vtkPolyDataContourTriangulator() = default;
   ~vtkPolyDataContourTriangulator() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   void ComputeWhole(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
@@ -55,6 +66,9 @@ private:
   void operator=(const vtkPolyDataContourTriangulator&) = delete;
 
   class Run;
+
+  void Fill(vtkDataObject* input, vtkPolyData* output);
+  static void Merge(vtkCompositeDataSet* filled, vtkPolyData* output);
 };
 
 #endif

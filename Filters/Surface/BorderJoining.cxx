@@ -70,6 +70,12 @@ public:
     return !this->Used[i] || this->Sums[i] != 0;
   }
 
+  /** Whether there is a point without a polygon. */
+  bool LeavePointsOut() const
+  {
+    return std::find(this->Used.begin(), this->Used.end(), false) != this->Used.end();
+  }
+
 private:
   void AddEdge(vtkIdType from, vtkIdType to)
   {
@@ -216,12 +222,13 @@ Partners FindPartners(const Floats<Real>& places, const Arrays& arrays, const Fa
 {
   Partners found;
   std::vector<std::pair<double, vtkIdType>> order;
+  const bool all = fans.LeavePointsOut(); // which may lie inside of another piece
   for (vtkIdType i = 0; i < ends.back(); ++i)
   {
     found.Place.push_back(i);
     const Real* x = places.Tuple(i);
     const double along = 0.5432 * x[0] + 0.6789 * x[1] + 0.4938 * x[2];
-    if (fans.AreOpenAt(i) && std::isfinite(along))
+    if ((all || fans.AreOpenAt(i)) && std::isfinite(along))
     {
       order.emplace_back(along, i);
     }

@@ -5,6 +5,7 @@
 #include "KernelExecutor.h"
 #include "PieceMerging.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -229,6 +230,7 @@ void RankGathering::SetController(vtkMultiProcessController* controller)
 {
   this->Controller = controller;
   this->Connections.clear();
+  this->LastNews = {};
 }
 
 //------------------------------------------------------------------------------
@@ -452,32 +454,51 @@ WholeInputs RankGathering::Gather(vtkInformationVector** inputs, int numberOfPor
 }
 
 //------------------------------------------------------------------------------
-void RankGathering::ShareArrays(vtkInformationVector* outputs) const
+bool RankGathering::IsNews(vtkAlgorithm* filter, vtkInformation* output)
 {
-  std::vector<Piece> pieces;
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    pieces.push_back({ port, VTK_POLY_DATA, vtkPolyData::GetData(outputs, port) });
-  }
-  this->ShareArrays(pieces);
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const std::pair<vtkMTimeType, double> now{
+    Pipeline::SafeDownCast(filter->GetExecutive())->GetPipelineMTime(),
+    output->Has(Pipeline::UPDATE_TIME_STEP()) ? output->Get(Pipeline::UPDATE_TIME_STEP()) : 0.0
+  };
+  const bool isNews = now != this->LastNews;
+  this->LastNews = now;
+  return isNews;
 }
 
 //------------------------------------------------------------------------------
-void RankGathering::ShareArrays(const std::vector<Piece>& pieces) const
+void RankGathering::Keep(vtkInformationVector* outputs)
+{
+  this->LastOutputs.clear();
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject* output = vtkDataObject::GetData(outputs, port);
+    this->LastOutputs.push_back(vtkSmartPointer<vtkDataObject>::Take(output->NewInstance()));
+    this->LastOutputs.back()->ShallowCopy(output);
+  }
+}
+
+//------------------------------------------------------------------------------
+void RankGathering::Restore(vtkInformationVector* outputs) const
+{
+  for (std::size_t port = 0; port < this->LastOutputs.size(); ++port)
+  {
+    vtkDataObject::GetData(outputs, static_cast<int>(port))->ShallowCopy(this->LastOutputs[port]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void RankGathering::ShareArrays(vtkPolyData* surface) const
 {
   std::vector<char> bytes;
   if (this->IsFirst())
   {
-    PackPieces(pieces, PieceContents::OnlyArrays, bytes);
+    PackPieces({ { 0, VTK_POLY_DATA, surface } }, PieceContents::OnlyArrays, bytes);
   }
   this->Distribute(bytes);
   if (!this->IsFirst())
   {
-    const std::vector<Piece> shared = UnpackPieces(bytes);
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-    {
-      pieces[i].Data->ShallowCopy(shared[i].Data);
-    }
+    surface->ShallowCopy(UnpackPieces(bytes).front().Data);
   }
 }
 
@@ -490,7 +511,7 @@ void RankGathering::MoveToFirst(vtkPolyData* surface)
   {
     surface->ShallowCopy(whole);
   }
-  this->ShareArrays({ { 0, VTK_POLY_DATA, surface } });
+  this->ShareArrays(surface);
 }
 
 //------------------------------------------------------------------------------

@@ -23,7 +23,9 @@
 #include <utility>
 #include <vector>
 
+class vtkAlgorithm;
 class vtkDataObject;
+class vtkInformation;
 class vtkInformationVector;
 class vtkMultiProcessController;
 
@@ -85,9 +87,20 @@ public:
   /** The inputs for the first process, with all of their pieces. */
   WholeInputs Gather(vtkInformationVector** inputs, int numberOfPorts);
 
-  /** Let the outputs of all other processes have the arrays and field data of the first one's, and
-   * no points and cells. */
-  void ShareArrays(vtkInformationVector* outputs) const;
+  /**
+   * Whether the filter, what is before it, or the time has changed since the last call. Of that all
+   * processes notice the same. Other reasons to execute are not shared: a filter downstream may ask
+   * one process for another piece and leave the others alone.
+   */
+  bool IsNews(vtkAlgorithm* filter, vtkInformation* output);
+
+  /** Remember the outputs, for an execution without news. */
+  void Keep(vtkInformationVector* outputs);
+  void Restore(vtkInformationVector* outputs) const;
+
+  /** Let all other processes have the arrays and field data of the first one's surface, and no
+   * points and cells. */
+  void ShareArrays(vtkPolyData* surface) const;
 
   /** Let the first process have a surface's pieces of all processes, and the others its arrays. */
   void MoveToFirst(vtkPolyData* surface);
@@ -115,9 +128,9 @@ private:
     vtkSmartPointer<vtkDataObject> Whole;
   };
 
-  void ShareArrays(const std::vector<Piece>& pieces) const;
-
   vtkSmartPointer<vtkMultiProcessController> Controller;
+  std::pair<vtkMTimeType, double> LastNews; ///< of the pipeline, and the time
+  std::vector<vtkSmartPointer<vtkDataObject>> LastOutputs;
   std::map<std::pair<int, int>, Kept> Connections;
 };
 

@@ -19,6 +19,7 @@
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -56,14 +57,15 @@ struct vtkPolyDataDistance::Cache
 class vtkPolyDataDistance::Run
 {
 public:
-  Run(vtkPolyDataDistance* filter, vtkInformationVector** inputs, vtkInformationVector* outputs)
+  Run(vtkPolyDataDistance* filter, vtkInformationVector** inputs, vtkInformationVector* outputs,
+    int outputPort)
     : Filter(filter)
     , Ranks(filter->Kept->Ranks)
     , Input(vtkDataObject::GetData(inputs[0], 0))
     , Tool(vtkDataObject::GetData(inputs[1], 0))
     , First(vtkDataObject::GetData(outputs, 0))
     , Second(vtkPolyData::GetData(outputs, 1))
-    , Outputs(outputs)
+    , Asked(outputs->GetInformationObject(std::max(0, outputPort)))
   {
   }
 
@@ -96,7 +98,7 @@ private:
   vtkDataObject* Tool;
   vtkDataObject* First;
   vtkPolyData* Second;
-  vtkInformationVector* Outputs;
+  vtkInformation* Asked; ///< of the output that is asked for
   sbvtk::KernelExecutor Executor;
   std::vector<vtkDataSet*> Leaves; ///< of output 0
   std::vector<double> Distances; ///< measured last
@@ -505,20 +507,23 @@ void vtkPolyDataDistance::Run::SummarizeTool()
 }
 
 //------------------------------------------------------------------------------
-/** A filter downstream that wants all of a surface in the first process gets it there. Else each
- * process has what it had, and the arrays of the others where it has no point. */
+/** A filter downstream that wants all of a surface in the first process gets it there; the pipeline
+ * takes what one output is asked for as the request to all of them. Else each process has what it
+ * had, and the arrays of the others where it has no point. */
 void vtkPolyDataDistance::Run::BringTogether()
 {
-  for (int port = 0; this->Ranks.IsParallel() && port < 2; ++port)
+  if (!this->Ranks.IsParallel())
   {
-    vtkInformation* output = this->Outputs->GetInformationObject(port);
-    if (vtkPolyData* surface = vtkPolyData::GetData(output))
+    return;
+  }
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const int pieces = this->Asked->Get(Pipeline::UPDATE_NUMBER_OF_PIECES());
+  const bool move = this->Ranks.InAll(!this->Ranks.IsFirst() || pieces == 1);
+  for (vtkDataObject* output : { this->First, static_cast<vtkDataObject*>(this->Second) })
+  {
+    if (vtkPolyData* surface = vtkPolyData::SafeDownCast(output))
     {
-      using Pipeline = vtkStreamingDemandDrivenPipeline;
-      const int pieces = output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES());
-      this->Ranks.InAll(!this->Ranks.IsFirst() || pieces == 1)
-        ? this->Ranks.MoveToFirst(surface)
-        : this->Ranks.ShareArraysWithEmpty(surface);
+      move ? this->Ranks.MoveToFirst(surface) : this->Ranks.ShareArraysWithEmpty(surface);
     }
   }
 }
@@ -634,9 +639,10 @@ vtkMultiProcessController* vtkPolyDataDistance::GetController()
 
 //------------------------------------------------------------------------------
 int vtkPolyDataDistance::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  sbvtk::RunWithThreads(this->NumberOfThreads, [&] { Run(this, inputs, outputs).Execute(); });
+  const int port = request->Get(vtkExecutive::FROM_OUTPUT_PORT());
+  sbvtk::RunWithThreads(this->NumberOfThreads, [&] { Run(this, inputs, outputs, port).Execute(); });
   this->SetAbortOutput(
     false); // a run that was stopped says so in its field data, which the pipeline would clear
   return 1;

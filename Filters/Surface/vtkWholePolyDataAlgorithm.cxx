@@ -5,6 +5,7 @@
 #include "FieldArrays.h"
 #include "RankGathering.h"
 
+#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -12,6 +13,7 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <exception>
 #include <new>
 
@@ -88,14 +90,23 @@ int vtkWholePolyDataAlgorithm::RequestUpdateExtent(
 
 //------------------------------------------------------------------------------
 int vtkWholePolyDataAlgorithm::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const int asked = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
   if (this->Ranks->IsParallel())
   {
-    this->ComputeOnFirst(inputs, outputs);
+    if (this->Ranks->IsNews(this, outputs->GetInformationObject(asked)))
+    {
+      this->ComputeOnFirst(inputs, outputs);
+      this->Ranks->Keep(outputs);
+    }
+    else // the answer is that of the last time, whatever piece is asked for
+    {
+      this->Ranks->Restore(outputs);
+    }
   }
-  else if (outputs->GetInformationObject(0)->Get(Pipeline::UPDATE_PIECE_NUMBER()) == 0)
+  else if (outputs->GetInformationObject(asked)->Get(Pipeline::UPDATE_PIECE_NUMBER()) == 0)
   {
     this->ComputeWhole(inputs, outputs);
   }
@@ -130,7 +141,10 @@ void vtkWholePolyDataAlgorithm::ComputeOnFirst(
         Empty(outputs);
       }
     }
-    this->Ranks->ShareArrays(outputs);
+    for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+    {
+      this->Ranks->ShareArrays(vtkPolyData::GetData(outputs, port));
+    }
     if (failure)
     {
       std::rethrow_exception(failure);
