@@ -25,8 +25,8 @@ def sphere(resolution, x=0.0):
 
 def joined(algorithm, resolution):
     """A filter with two of them."""
-    algorithm.SetInputConnection(0, sphere(resolution).GetOutputPort())
-    algorithm.SetInputConnection(1, sphere(resolution, 0.3).GetOutputPort())
+    for port, source in enumerate([sphere(resolution), sphere(resolution, 0.3)]):
+        algorithm.SetInputConnection(port, source.GetOutputPort())
     return algorithm
 
 
