@@ -51,7 +51,7 @@ def make_body():
         body = simple.Transform(registrationName="Screw", Input=file)
         body.Transform.Rotate = [-90, 0, 0]
         body.Transform.Scale = [0.0425, 0.0425, 0.0425]
-        body.Transform.Translate = [0.7607, -0.73, -0.0356]
+        body.Transform.Translate = [0.7607, -0.74, -0.0356]
         return body
     print("Without Open CASCADE and occt-misc there is no screw; a plinth takes its place.")
     plinth = simple.Cylinder(registrationName="Plinth", Radius=0.42, Height=0.3, Resolution=96)

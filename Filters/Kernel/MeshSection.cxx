@@ -137,6 +137,7 @@ private:
     TouchSearch search(std::move(values),
       std::max(this->Request.ChordError, TouchInSpacings * this->Request.Spacing),
       this->Band.Rounding);
+    std::vector<std::uint8_t> isOfSurface(this->Band.Values.size(), 0);
     for (std::size_t t = 0; t < this->Band.Triangles.size(); ++t)
     {
       const auto& p = this->Band.Triangles[t].Places;
@@ -145,10 +146,14 @@ private:
       for (std::size_t k = 0; k < 3; ++k)
       {
         search.Link(p[k], p[(k + 1) % 3]);
-        if (!isSurface)
-        {
-          search.LeaveOut(p[k]);
-        }
+        isOfSurface[static_cast<std::size_t>(p[k])] |= isSurface ? 1 : 2;
+      }
+    }
+    for (std::size_t place = 0; place < isOfSurface.size(); ++place)
+    {
+      if (isOfSurface[place] != 1) // triangles without area may have left places that no other has
+      {
+        search.LeaveOut(static_cast<std::int32_t>(place));
       }
     }
     MovingLeastSquares::Neighbourhood near;

@@ -370,12 +370,13 @@ private:
     std::int64_t count = 0;
     for (std::size_t block = 0; block < this->Blocks.size(); ++block)
     {
-      Block& own = this->Blocks[block];
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        const std::int32_t above = own.Above[std::size_t(1) << axis];
-        const BlockBits beyond =
-          above < 0 ? 0 : this->Blocks[static_cast<std::size_t>(above)].Inside;
+        // Not all owners of edges have asked for the block above them before.
+        const BlockBits beyond = this->Blocks[block].Edges[axis] == 0
+          ? 0
+          : this->Blocks[this->BlockAbove(block, std::size_t(1) << axis)].Inside;
+        Block& own = this->Blocks[block];
         own.Edges[axis] &= own.Inside ^ (StepDown(own.Inside, axis) | StepOutDown(beyond, axis));
         own.FirstVertex[axis] = static_cast<std::int32_t>(count);
         count += NumberOfBits(own.Edges[axis]);

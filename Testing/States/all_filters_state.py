@@ -46,14 +46,6 @@ SetActiveView(renderView1)
 # create a new 'Legacy VTK Reader'
 kittenvtk = LegacyVTKReader(registrationName='kitten.vtk', FileNames=['data/kitten.vtk'])
 
-# create a new 'Point Set Surface'
-skin = PointSetSurface(registrationName='Skin', Input=kittenvtk)
-skin.GenerateSurface = 1
-skin.CellSize = 0.03
-
-# create a new 'Legacy VTK Reader'
-elephantvtk = LegacyVTKReader(registrationName='elephant.vtk', FileNames=['data/elephant.vtk'])
-
 # create a new 'Legacy VTK Reader'
 knotvtk = LegacyVTKReader(registrationName='knot.vtk', FileNames=['data/knot.vtk'])
 
@@ -64,53 +56,21 @@ tool.Transform = 'Transform'
 # init the 'Transform' selected for 'Transform'
 tool.Transform.Translate = [0.05, 0.02, 0.1]
 
-# create a new 'Surface Boolean'
-drilled = SurfaceBoolean(registrationName='Drilled', Input=elephantvtk,
-    Tool=tool)
-drilled.Operation = 'Difference'
-
-# create a new 'Surface Distance Field'
-field = SurfaceDistanceField(registrationName='Field', Input=drilled)
-field.Dimensions = [24, 20, 28]
-field.Margin = 0.02
-
-# create a new 'Surface Distance'
-distance = SurfaceDistance(registrationName='Distance', Input=drilled,
-    Tool=tool)
-distance.ComputeSecondDistance = 1
-distance.ComputeNearestPoint = 1
-
-# create a new 'Closed Surface Cut'
-slices = ClosedSurfaceCut(registrationName='Slices', Input=drilled)
-slices.Normal = [1.0, 0.0, 0.0]
-slices.Offsets = [-0.1, 0.0, 0.1, 0.2]
-slices.Triangulate = 0
-
-# create a new 'Closed Surface Clip'
-clipped = ClosedSurfaceClip(registrationName='Clipped', Input=drilled)
-clipped.Normal = [0.0, 0.2, 1.0]
-clipped.Planes = [0.1, 0.0, 0.0, 1.0, 0.0, 0.0]
-clipped.GenerateOutline = 1
-
-# create a new 'Surface Intersection'
-seam = SurfaceIntersection(registrationName='Seam', Input=elephantvtk,
-    Tool=tool)
-seam.SplitSecondOutput = 0
-
-# create a new 'Closed Surface Cut'
-outline = ClosedSurfaceCut(registrationName='Outline', Input=drilled)
-outline.Triangulate = 0
-
-# create a new 'Contour Triangulator'
-filled = ContourTriangulator(registrationName='Filled', Input=outline)
-
-# create a new 'Surface Check'
-check = SurfaceCheck(registrationName='Check', Input=elephantvtk)
-check.SelfIntersections = 0
+# create a new 'Point Set Surface'
+skin = PointSetSurface(registrationName='Skin', Input=kittenvtk)
+skin.GenerateSurface = 1
+skin.CellSize = 0.03
 
 # create a new 'NURBS Reader'
 screwstep = NURBSReader(registrationName='screw.step', FileName='data/screw.step')
 screwstep.ChordError = 0.002
+
+# create a new 'Legacy VTK Reader'
+elephantvtk = LegacyVTKReader(registrationName='elephant.vtk', FileNames=['data/elephant.vtk'])
+
+# create a new 'Surface Check'
+check = SurfaceCheck(registrationName='Check', Input=elephantvtk)
+check.SelfIntersections = 0
 
 # create a new 'Transform'
 screw = Transform(registrationName='Screw', Input=screwstep)
@@ -121,16 +81,57 @@ screw.Transform.Translate = [0.7607, -0.73, -0.0356]
 screw.Transform.Rotate = [-90.0, 0.0, 0.0]
 screw.Transform.Scale = [0.0425, 0.0425, 0.0425]
 
-# create a new 'Point Set Boolean'
-knob = PointSetBoolean(registrationName='Knob', Input=kittenvtk,
-    Tool=screw)
-knob.CellSize = 0.03
+# create a new 'Surface Boolean'
+drilled = SurfaceBoolean(registrationName='Drilled', Input=elephantvtk,
+    Tool=tool)
+drilled.Operation = 'Difference'
+
+# create a new 'Closed Surface Clip'
+clipped = ClosedSurfaceClip(registrationName='Clipped', Input=drilled)
+clipped.Normal = [0.0, 0.2, 1.0]
+clipped.Planes = [0.1, 0.0, 0.0, 1.0, 0.0, 0.0]
+clipped.Box = [1.0, -1.0, 1.0, -1.0, 1.0, -1.0]
+clipped.GenerateOutline = 1
+
+# create a new 'Surface Distance Field'
+field = SurfaceDistanceField(registrationName='Field', Input=drilled)
+field.Dimensions = [24, 20, 28]
+field.Margin = 0.02
+
+# create a new 'Closed Surface Cut'
+outline = ClosedSurfaceCut(registrationName='Outline', Input=drilled)
+outline.Triangulate = 0
+
+# create a new 'Contour Triangulator'
+filled = ContourTriangulator(registrationName='Filled', Input=outline)
+
+# create a new 'Closed Surface Cut'
+slices = ClosedSurfaceCut(registrationName='Slices', Input=drilled)
+slices.Normal = [1.0, 0.0, 0.0]
+slices.Offsets = [-0.1, 0.0, 0.1, 0.2]
+slices.Triangulate = 0
+
+# create a new 'Surface Intersection'
+seam = SurfaceIntersection(registrationName='Seam', Input=elephantvtk,
+    Tool=tool)
+seam.SplitSecondOutput = 0
+
+# create a new 'Surface Distance'
+distance = SurfaceDistance(registrationName='Distance', Input=drilled,
+    Tool=tool)
+distance.ComputeSecondDistance = 1
+distance.ComputeNearestPoint = 1
 
 # create a new 'Point Set Intersection'
 ring = PointSetIntersection(registrationName='Ring', Input=kittenvtk,
     Tool=screw)
 ring.Plane = 'Plane'
 ring.ChordError = 0.002
+
+# create a new 'Point Set Boolean'
+knob = PointSetBoolean(registrationName='Knob', Input=kittenvtk,
+    Tool=screw)
+knob.CellSize = 0.03
 
 # ----------------------------------------------------------------
 # setup the visualization in view 'renderView1'
@@ -277,7 +278,7 @@ distancePWF.Points = [-0.10510463267564774, 0.0, 0.5, 0.0, 0.8816996812820435, 1
 distancePWF.ScalarRangeInitialized = 1
 
 # trace defaults for the display properties.
-fieldDisplay.Representation = 'Slice'
+fieldDisplay.Representation = 'Surface'
 fieldDisplay.ColorArrayName = ['POINTS', 'Distance']
 fieldDisplay.LookupTable = distanceLUT
 fieldDisplay.LineWidth = 2.0
@@ -493,7 +494,7 @@ meanCurvatureTF2D = GetTransferFunction2D('MeanCurvature')
 meanCurvatureLUT = GetColorTransferFunction('MeanCurvature')
 meanCurvatureLUT.AutomaticRescaleRangeMode = 'Never'
 meanCurvatureLUT.TransferFunction2D = meanCurvatureTF2D
-meanCurvatureLUT.RGBPoints = [-12.024367564653799, 0.231373, 0.298039, 0.752941, 6.0917579951506955, 0.865003, 0.865003, 0.865003, 24.20788355495519, 0.705882, 0.0156863, 0.14902]
+meanCurvatureLUT.RGBPoints = [-12.024367564653812, 0.231373, 0.298039, 0.752941, 6.09175799515069, 0.865003, 0.865003, 0.865003, 24.207883554955192, 0.705882, 0.0156863, 0.14902]
 meanCurvatureLUT.ScalarRangeInitialized = 1.0
 
 # trace defaults for the display properties.
@@ -523,10 +524,10 @@ skin_1Display.SelectInputVectors = ['POINTS', 'Normals']
 skin_1Display.WriteLog = ''
 
 # init the 'PiecewiseFunction' selected for 'ScaleTransferFunction'
-skin_1Display.ScaleTransferFunction.Points = [-705.0259220030873, 0.0, 0.5, 0.0, 556.4908035322451, 1.0, 0.5, 0.0]
+skin_1Display.ScaleTransferFunction.Points = [-716.9113153416905, 0.0, 0.5, 0.0, 556.4908035322452, 1.0, 0.5, 0.0]
 
 # init the 'PiecewiseFunction' selected for 'OpacityTransferFunction'
-skin_1Display.OpacityTransferFunction.Points = [-705.0259220030873, 0.0, 0.5, 0.0, 556.4908035322451, 1.0, 0.5, 0.0]
+skin_1Display.OpacityTransferFunction.Points = [-716.9113153416905, 0.0, 0.5, 0.0, 556.4908035322452, 1.0, 0.5, 0.0]
 
 # init the 'PolarAxesRepresentation' selected for 'PolarAxes'
 skin_1Display.PolarAxes.Translation = [0.0, -2.6, 0.0]
@@ -541,7 +542,7 @@ curvatureTF2D = GetTransferFunction2D('Curvature')
 curvatureLUT = GetColorTransferFunction('Curvature')
 curvatureLUT.AutomaticRescaleRangeMode = 'Never'
 curvatureLUT.TransferFunction2D = curvatureTF2D
-curvatureLUT.RGBPoints = [-22.998421989174822, 0.231373, 0.298039, 0.752941, -7.600592509114264, 0.865003, 0.865003, 0.865003, 7.797236970946294, 0.705882, 0.0156863, 0.14902]
+curvatureLUT.RGBPoints = [-22.998421989174847, 0.231373, 0.298039, 0.752941, -7.600592509114277, 0.865003, 0.865003, 0.865003, 7.797236970946294, 0.705882, 0.0156863, 0.14902]
 curvatureLUT.ScalarRangeInitialized = 1.0
 
 # trace defaults for the display properties.
@@ -571,10 +572,10 @@ ringDisplay.SelectInputVectors = ['POINTS', 'Normals']
 ringDisplay.WriteLog = ''
 
 # init the 'PiecewiseFunction' selected for 'ScaleTransferFunction'
-ringDisplay.ScaleTransferFunction.Points = [-22.998421989174822, 0.0, 0.5, 0.0, 7.797236970946294, 1.0, 0.5, 0.0]
+ringDisplay.ScaleTransferFunction.Points = [-22.998421989174847, 0.0, 0.5, 0.0, 7.797236970946294, 1.0, 0.5, 0.0]
 
 # init the 'PiecewiseFunction' selected for 'OpacityTransferFunction'
-ringDisplay.OpacityTransferFunction.Points = [-22.998421989174822, 0.0, 0.5, 0.0, 7.797236970946294, 1.0, 0.5, 0.0]
+ringDisplay.OpacityTransferFunction.Points = [-22.998421989174847, 0.0, 0.5, 0.0, 7.797236970946294, 1.0, 0.5, 0.0]
 
 # init the 'PolarAxesRepresentation' selected for 'PolarAxes'
 ringDisplay.PolarAxes.Translation = [1.3, -2.6, 0.0]
@@ -595,9 +596,9 @@ knobDisplay.OSPRayScaleArray = 'Normals'
 knobDisplay.OSPRayScaleFunction = 'PiecewiseFunction'
 knobDisplay.SelectOrientationVectors = 'None'
 knobDisplay.ScaleFactor = 0.2679358355052305
-knobDisplay.SelectScaleArray = 'None'
+knobDisplay.SelectScaleArray = 'SourceId'
 knobDisplay.GlyphType = 'Arrow'
-knobDisplay.GlyphTableIndexArray = 'None'
+knobDisplay.GlyphTableIndexArray = 'SourceId'
 knobDisplay.GaussianRadius = 0.013396791775261523
 knobDisplay.SetScaleArray = ['POINTS', 'Normals']
 knobDisplay.ScaleTransferFunction = 'PiecewiseFunction'
@@ -670,25 +671,15 @@ screwDisplay.PolarAxes.Translation = [3.9000000000000004, -2.6, 0.0]
 # note: the Get..() functions create a new object, if needed
 # ----------------------------------------------------------------
 
-# get opacity transfer function/opacity map for 'Curvature'
-curvaturePWF = GetOpacityTransferFunction('Curvature')
-curvaturePWF.Points = [-22.998421989174822, 0.0, 0.5, 0.0, 7.797236970946294, 1.0, 0.5, 0.0]
-curvaturePWF.ScalarRangeInitialized = 1
+# get opacity transfer function/opacity map for 'PatchId'
+patchIdPWF = GetOpacityTransferFunction('PatchId')
+patchIdPWF.Points = [0.0, 0.0, 0.5, 0.0, 9.0, 1.0, 0.5, 0.0]
+patchIdPWF.ScalarRangeInitialized = 1
 
 # get opacity transfer function/opacity map for 'FaceId'
 faceIdPWF = GetOpacityTransferFunction('FaceId')
 faceIdPWF.Points = [0.0, 0.0, 0.5, 0.0, 9.0, 1.0, 0.5, 0.0]
 faceIdPWF.ScalarRangeInitialized = 1
-
-# get opacity transfer function/opacity map for 'SourceId'
-sourceIdPWF = GetOpacityTransferFunction('SourceId')
-sourceIdPWF.Points = [0.0, 0.0, 0.5, 0.0, 2.0, 1.0, 0.5, 0.0]
-sourceIdPWF.ScalarRangeInitialized = 1
-
-# get opacity transfer function/opacity map for 'ShellId'
-shellIdPWF = GetOpacityTransferFunction('ShellId')
-shellIdPWF.Points = [0.0, 0.0, 0.5, 0.0, 1.1757813367477812e-38, 1.0, 0.5, 0.0]
-shellIdPWF.ScalarRangeInitialized = 1
 
 # get opacity transfer function/opacity map for 'PolygonId'
 polygonIdPWF = GetOpacityTransferFunction('PolygonId')
@@ -700,15 +691,25 @@ areaPWF = GetOpacityTransferFunction('Area')
 areaPWF.Points = [0.0036059240712031934, 0.0, 0.5, 0.0, 0.12647779363954176, 1.0, 0.5, 0.0]
 areaPWF.ScalarRangeInitialized = 1
 
-# get opacity transfer function/opacity map for 'PatchId'
-patchIdPWF = GetOpacityTransferFunction('PatchId')
-patchIdPWF.Points = [0.0, 0.0, 0.5, 0.0, 9.0, 1.0, 0.5, 0.0]
-patchIdPWF.ScalarRangeInitialized = 1
+# get opacity transfer function/opacity map for 'ShellId'
+shellIdPWF = GetOpacityTransferFunction('ShellId')
+shellIdPWF.Points = [0.0, 0.0, 0.5, 0.0, 1.1757813367477812e-38, 1.0, 0.5, 0.0]
+shellIdPWF.ScalarRangeInitialized = 1
+
+# get opacity transfer function/opacity map for 'Curvature'
+curvaturePWF = GetOpacityTransferFunction('Curvature')
+curvaturePWF.Points = [-22.998421989174847, 0.0, 0.5, 0.0, 7.797236970946294, 1.0, 0.5, 0.0]
+curvaturePWF.ScalarRangeInitialized = 1
 
 # get opacity transfer function/opacity map for 'MeanCurvature'
 meanCurvaturePWF = GetOpacityTransferFunction('MeanCurvature')
-meanCurvaturePWF.Points = [-12.024367564653799, 0.0, 0.5, 0.0, 24.20788355495519, 1.0, 0.5, 0.0]
+meanCurvaturePWF.Points = [-12.024367564653812, 0.0, 0.5, 0.0, 24.207883554955192, 1.0, 0.5, 0.0]
 meanCurvaturePWF.ScalarRangeInitialized = 1
+
+# get opacity transfer function/opacity map for 'SourceId'
+sourceIdPWF = GetOpacityTransferFunction('SourceId')
+sourceIdPWF.Points = [0.0, 0.0, 0.5, 0.0, 2.0, 1.0, 0.5, 0.0]
+sourceIdPWF.ScalarRangeInitialized = 1
 
 # ----------------------------------------------------------------
 # restore active source
