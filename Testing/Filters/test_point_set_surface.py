@@ -189,6 +189,14 @@ def test_the_kitten_becomes_watertight():
     assert turned.mean() < 0.005
 
 
+def test_meshes_are_closed_whatever_their_cells():
+    points, normals = clouds.sphere(4000)
+    for size in np.linspace(0.024, 0.1, 12):
+        result = run(cloud(points, normals), GenerateSurface=True, CellSize=size)
+        assert result.status == 0 and measures.is_closed(result.mesh)
+        assert measures.volume(result.mesh) == pytest.approx(4 / 3 * np.pi, rel=1e-2)
+
+
 def test_a_terrain_stays_open():
     points, _ = clouds.cgal_cloud("radar.xyz")
     result = surface_of(points, GenerateSurface=True)
