@@ -136,7 +136,8 @@ def disagreements(operation, bodies, result, number):
 
 def volumes_of_manifold(bodies):
     """By operation, what manifold3d says; None if it is not there, does not take these operands, or contradicts itself:
-    what is in one or the other, and what is in both, add up to the operands.
+    what is in one or the other, and what is in both, add up to the operands; so do the difference and what is in both to
+    the first one. (Between a box and the same box turned by 1e-5 it was seen to lose a tenth of the difference.)
     """
     try:
         import manifold3d
@@ -154,9 +155,12 @@ def volumes_of_manifold(bodies):
         return None
     combined = {UNION: first + second, INTERSECTION: first ^ second, DIFFERENCE: first - second}
     volumes = {operation: solid.volume() for operation, solid in combined.items()}
-    both = measures.volume(bodies[0]) + measures.volume(bodies[1])
-    contradiction = abs(volumes[UNION] + volumes[INTERSECTION] - both)
-    return None if contradiction > VOLUME * both else volumes
+    first, both = measures.volume(bodies[0]), sum(measures.volume(body) for body in bodies)
+    contradictions = (
+        volumes[UNION] + volumes[INTERSECTION] - both,
+        volumes[DIFFERENCE] + volumes[INTERSECTION] - first,
+    )
+    return None if max(map(abs, contradictions)) > VOLUME * both else volumes
 
 
 def is_clean(body):
