@@ -828,18 +828,19 @@ private:
   struct Question
   {
     std::size_t Tree;
+    std::int32_t Patch; ///< where it is asked
     std::int32_t Operand;
-    int RelativeAtProbe; ///< winding number in front of the probed patch, less that at the root
+    int Relative; ///< winding number in front of that patch, less that at the root
     bool IsCheck; ///< the answer has been assumed
     int Assumed; ///< winding number at the root
   };
 
   void FindWindingsAtRoots()
   {
+    this->ListMeetings();
     std::vector<int> relative(std::size_t(this->NumberOfOperands), 0);
     std::vector<std::int32_t> lastSeen(std::size_t(this->NumberOfOperands), -1);
     std::vector<int> atRoot(std::size_t(this->NumberOfOperands), 0);
-    std::vector<std::int32_t> lastChecked(std::size_t(this->NumberOfOperands), -1);
     std::vector<Question> questions;
     const ProbePlacement placement(this->World, this->Cuts);
     for (std::size_t t = 0; t < this->Trees.size(); ++t)
@@ -847,6 +848,7 @@ private:
       Tree& tree = this->Trees[t];
       const auto stamp = static_cast<std::int32_t>(t);
       std::vector<std::int32_t> present;
+      std::vector<Question> checks;
       bool probeIsWhole = this->Patches[std::size_t(tree.Probed)].Region < 0;
       std::vector<int> relativeAtProbe(relative);
       this->Walk(tree, relative, [&](std::int32_t p) {
@@ -859,7 +861,7 @@ private:
           tree.Probed = p;
           relativeAtProbe = relative;
         }
-        this->CheckFarPatch(p, relative, stamp, lastSeen, atRoot, lastChecked);
+        this->ListChecks(t, p, relative, checks);
         if (this->IsOpen(patch.Operand))
         {
           return;
@@ -879,6 +881,11 @@ private:
           this->Result.SelfIntersecting[operand] = 1;
         }
       });
+      for (Question& check : checks)
+      {
+        check.Assumed = atRoot[std::size_t(check.Operand)];
+        this->CheckOrAsk(placement, check, questions);
+      }
       const Patch& probed = this->Patches[std::size_t(tree.Probed)];
       if (!probeIsWhole && !placement.Place(probed.Face, probed.Region, 0))
       {
@@ -887,22 +894,77 @@ private:
       for (const std::int32_t operand : present)
       {
         const auto index = std::size_t(operand);
-        if (this->IsSelf(operand) || lastChecked[index] != stamp)
-        {
-          questions.push_back(
-            { t, operand, relativeAtProbe[index], !this->IsSelf(operand), atRoot[index] });
-        }
+        questions.push_back({ t, tree.Probed, operand, relativeAtProbe[index],
+          !this->IsSelf(operand), atRoot[index] });
       }
       for (std::int32_t operand = 0; operand < this->NumberOfOperands; ++operand)
       {
         if (lastSeen[std::size_t(operand)] != stamp && !this->IsOpen(operand) &&
           this->MayBeInside(this->Patches[std::size_t(tree.Probed)].Face, operand))
         {
-          questions.push_back({ t, operand, 0, false, 0 });
+          questions.push_back({ t, tree.Probed, operand, 0, false, 0 });
         }
       }
     }
     this->Ask(questions);
+  }
+
+  /** The other operands whose faces follow on those of a patch around an edge, as far as they are
+   * taken to be clean. */
+  void ListMeetings()
+  {
+    const auto add = [this](std::int32_t patch, std::int32_t other) {
+      const std::int32_t operand = this->Patches[std::size_t(other)].Operand;
+      if (operand != this->Patches[std::size_t(patch)].Operand && !this->IsSelf(operand) &&
+        !this->IsOpen(operand))
+      {
+        this->Meetings.push_back({ patch, operand });
+      }
+    };
+    for (const Relation& relation : this->Forest)
+    {
+      add(relation.PatchA, relation.PatchB);
+      add(relation.PatchB, relation.PatchA);
+    }
+    std::sort(this->Meetings.begin(), this->Meetings.end());
+    this->Meetings.erase(
+      std::unique(this->Meetings.begin(), this->Meetings.end()), this->Meetings.end());
+  }
+
+  /**
+   * The winding number of an operand is the same all over another one's patch, so that to ask at
+   * one place shows whether it is what was assumed. Its own patches may run through each other
+   * unseen, and do not tell. Where a patch follows on another one's only, the number is that one's.
+   */
+  void ListChecks(std::size_t tree, std::int32_t p, const std::vector<int>& relative,
+    std::vector<Question>& checks) const
+  {
+    for (auto meeting = std::lower_bound(this->Meetings.begin(), this->Meetings.end(),
+           std::pair<std::int32_t, std::int32_t>(p, -1));
+         meeting != this->Meetings.end() && meeting->first == p; ++meeting)
+    {
+      checks.push_back(
+        { tree, p, meeting->second, relative[std::size_t(meeting->second)], true, 0 });
+    }
+  }
+
+  /** Outside of an operand's box its winding number is known. */
+  void CheckOrAsk(
+    const ProbePlacement& placement, const Question& check, std::vector<Question>& questions)
+  {
+    const Patch& patch = this->Patches[std::size_t(check.Patch)];
+    if (patch.Region >= 0 && !placement.Place(patch.Face, patch.Region, 0))
+    {
+      this->FindPlaceOn(placement, check.Patch);
+    }
+    if (patch.Region >= 0 || this->MayBeInside(patch.Face, check.Operand))
+    {
+      questions.push_back(check);
+    }
+    else if (check.Assumed + check.Relative != 0)
+    {
+      this->Result.SelfIntersecting[std::size_t(check.Operand)] = 1;
+    }
   }
 
   /** Regions by the patch that they belong to: the regions, and where each patch's begin. */
@@ -931,60 +993,43 @@ private:
     }
   }
 
-  /** Probe a tree at the first of its regions that is wide enough, where the one it stands for is
-   * not. */
-  void FindPlace(const ProbePlacement& placement, Tree& tree, std::vector<int>& relative,
-    std::vector<int>& relativeAtProbe)
+  /** Let a patch stand for itself by the first of its regions that is wide enough to ask at.
+   * @return whether there is one */
+  bool FindPlaceOn(const ProbePlacement& placement, std::int32_t p)
   {
     if (this->OfPatches.First.empty())
     {
       this->ListRegionsOfPatches();
     }
-    bool isFound = false;
-    this->Walk(tree, relative, [&](std::int32_t p) {
-      const std::int32_t end = this->OfPatches.First[std::size_t(p) + 1];
-      for (std::int32_t i = this->OfPatches.First[std::size_t(p)]; i < end && !isFound; ++i)
-      {
-        const std::int32_t region = this->OfPatches.Regions[std::size_t(i)];
-        const std::int32_t face = this->Cuts.Regions[std::size_t(region)].Face;
-        isFound = placement.Place(face, region, 0).has_value();
-        if (isFound)
-        {
-          this->Patches[std::size_t(p)].Face = face;
-          this->Patches[std::size_t(p)].Region = region;
-          tree.Probed = p;
-          relativeAtProbe = relative;
-        }
-      }
-    });
-  }
-
-  /**
-   * Outside of an operand's box its winding number is 0. Where a patch lies there whose number of
-   * that operand follows from the assumption that it is clean, this checks the assumption. Only for
-   * few operands, as each patch is compared with each operand; else a query is made.
-   */
-  void CheckFarPatch(std::int32_t p, const std::vector<int>& relative, std::int32_t stamp,
-    const std::vector<std::int32_t>& lastSeen, const std::vector<int>& atRoot,
-    std::vector<std::int32_t>& lastChecked)
-  {
-    constexpr std::int32_t few = 8;
-    const Patch& patch = this->Patches[std::size_t(p)];
-    for (std::int32_t operand = 0;
-         patch.Region < 0 && this->NumberOfOperands <= few && operand < this->NumberOfOperands;
-         ++operand)
+    const std::int32_t end = this->OfPatches.First[std::size_t(p) + 1];
+    for (std::int32_t i = this->OfPatches.First[std::size_t(p)]; i < end; ++i)
     {
-      const auto index = std::size_t(operand);
-      if (operand != patch.Operand && lastSeen[index] == stamp && lastChecked[index] != stamp &&
-        !this->IsOpen(operand) && !this->MayBeInside(patch.Face, operand))
+      const std::int32_t region = this->OfPatches.Regions[std::size_t(i)];
+      const std::int32_t face = this->Cuts.Regions[std::size_t(region)].Face;
+      if (placement.Place(face, region, 0))
       {
-        lastChecked[index] = stamp;
-        if (!this->IsSelf(operand) && atRoot[index] + relative[index] != 0)
-        {
-          this->Result.SelfIntersecting[index] = 1;
-        }
+        this->Patches[std::size_t(p)].Face = face;
+        this->Patches[std::size_t(p)].Region = region;
+        return true;
       }
     }
+    return false;
+  }
+
+  /** Probe a tree at the first of its regions that is wide enough, where the one it stands for is
+   * not. */
+  void FindPlace(const ProbePlacement& placement, Tree& tree, std::vector<int>& relative,
+    std::vector<int>& relativeAtProbe)
+  {
+    bool isFound = false;
+    this->Walk(tree, relative, [&](std::int32_t p) {
+      if (!isFound && this->FindPlaceOn(placement, p))
+      {
+        isFound = true;
+        tree.Probed = p;
+        relativeAtProbe = relative;
+      }
+    });
   }
 
   /** Whether all corners of a face are inside the box of an operand. */
@@ -1014,8 +1059,7 @@ private:
     // Patches without area enclose nothing: kept or dropped, they change no solid.
     questions.erase(std::remove_if(questions.begin(), questions.end(),
                       [&](const Question& question) {
-                        const Tree& tree = this->Trees[question.Tree];
-                        return !this->HasArea(this->Patches[std::size_t(tree.Probed)].Face);
+                        return !this->HasArea(this->Patches[std::size_t(question.Patch)].Face);
                       }),
       questions.end());
     const ProbePlacement placement(this->World, this->Cuts);
@@ -1030,7 +1074,7 @@ private:
       std::vector<WindingQuery> queries;
       for (const Question& question : questions)
       {
-        const Patch& patch = this->Patches[std::size_t(this->Trees[question.Tree].Probed)];
+        const Patch& patch = this->Patches[std::size_t(question.Patch)];
         if (const auto line = placement.Place(patch.Face, patch.Region, attempt))
         {
           asked.push_back(question);
@@ -1050,10 +1094,10 @@ private:
           again.push_back(question);
           continue;
         }
-        const Patch& patch = this->Patches[std::size_t(this->Trees[question.Tree].Probed)];
+        const Patch& patch = this->Patches[std::size_t(question.Patch)];
         const int atRoot =
           WindingInFront(placement, queries[i], patch.Operand == question.Operand) -
-          question.RelativeAtProbe;
+          question.Relative;
         if (question.IsCheck)
         {
           if (atRoot != question.Assumed)
@@ -1300,6 +1344,8 @@ private:
   std::vector<Patch> Patches;
   std::vector<Relation> Forest;
   std::vector<Relation> Cycles; ///< the other relations
+  std::vector<std::pair<std::int32_t, std::int32_t>>
+    Meetings; ///< patches and the clean operands that they meet, ascending
   std::vector<SheetVote> Votes;
   SheetSides Sides;
   std::vector<Step> Steps;

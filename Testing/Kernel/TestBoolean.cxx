@@ -156,6 +156,28 @@ void SelfOverlappingConvex(Random& random)
   }
 }
 
+/** Two bodies of one operand that overlap, and a box inside the one that touches the other, or goes
+ * through it. Bodies far away make all faces near, and these come in any order: which one is asked
+ * first is chance. */
+void TouchedWhereBodiesOverlap(Random& random)
+{
+  Mesh bodies = Cube(0, 4);
+  bodies.Append(Box({ double(Between(random, -2, 3)), 1, 1 }, { 6, 3, 3 }));
+  const double low = Between(random, 6, 8) * 0.5;
+  Mesh box = Box({ low, 1.5, 1.5 }, { low + 1.0, 2.5, 2.5 });
+  box.Append(Cube(-4, -3));
+  box.Append(Cube(7, 8));
+  std::shuffle(bodies.Triangles.begin(), bodies.Triangles.end(), random);
+  std::shuffle(box.Triangles.begin(), box.Triangles.end(), random);
+  for (const auto& operands : { std::make_pair(bodies, box), std::make_pair(box, bodies) })
+  {
+    const Mesh both =
+      ComputeMesh({ { operands.first }, { operands.second }, Operation::Intersection });
+    CHECK_EQUAL(NumberOfOpenEdges(both), 0);
+    CHECK_EQUAL(Volume(both), 1.0);
+  }
+}
+
 /** Shells of one operand inside each other, where the other operand meets but one of them. */
 void NestedShells(Random& random)
 {
@@ -710,6 +732,7 @@ constexpr Family Families[] = {
   { "Spheres", Spheres, 60 },
   { "SelfOverlapping", SelfOverlapping, 300 },
   { "SelfOverlappingConvex", SelfOverlappingConvex, 300 },
+  { "TouchedWhereBodiesOverlap", TouchedWhereBodiesOverlap, 100 },
   { "NestedShells", NestedShells, 100 },
   { "DoubledTriangles", DoubledTriangles, 150 },
   { "Soups", Soups, 200 },
