@@ -6,6 +6,7 @@
 #include "CADFile.h"
 #include "CADSession.h"
 #include "FieldArrays.h"
+#include "FilterRun.h"
 #include "Ingest.h"
 #include "KernelExecutor.h"
 #include "NURBSArrays.h"
@@ -54,11 +55,7 @@ public:
   void Execute();
 
 private:
-  struct Failure
-  {
-    int Status;
-    std::string Sentence;
-  };
+  using Failure = sbvtk::FilterFailure;
 
   void CheckSettings() const;
   void ReadShape();
@@ -86,37 +83,22 @@ private:
 //------------------------------------------------------------------------------
 void vtkNURBSReader::Run::Execute()
 {
-  Failure failure{ OK, "" };
-  try
-  {
+  const auto steps = [this] {
     this->CheckSettings();
     this->ReadShape();
     this->MakeFacets();
     this->Examine();
     this->FillOutput();
     this->AddFields();
-    sbvtk::StopIfAsked(this->Reader);
-    return;
-  }
-  catch (const Failure& caught)
-  {
-    failure = caught;
-  }
-  catch (const sbvtk::Stopped&)
-  {
-    failure = { ABORTED, "The reader was stopped." };
-  }
-  catch (const std::bad_alloc&)
-  {
-    failure = { OUT_OF_MEMORY, "The facets do not fit into memory; choose a larger ChordError." };
-  }
-  this->Output->Initialize();
-  sbvtk::AddField(this->Output, "Status", failure.Status);
-  sbvtk::AddField(this->Output, "Message", failure.Sentence);
-  if (failure.Status != ABORTED)
-  {
-    vtkErrorWithObjectMacro(this->Reader, << failure.Sentence);
-  }
+  };
+  const auto report = [this](const sbvtk::FilterFailure& failure) {
+    this->Output->Initialize();
+    sbvtk::AddField(this->Output, "Status", failure.Status);
+    sbvtk::AddField(this->Output, "Message", failure.Sentence);
+  };
+  sbvtk::RunSteps(this->Reader, steps,
+    { report, { ABORTED, "The reader was stopped." },
+      { OUT_OF_MEMORY, "The facets do not fit into memory; choose a larger ChordError." } });
 }
 
 //------------------------------------------------------------------------------

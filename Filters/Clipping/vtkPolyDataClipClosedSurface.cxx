@@ -10,6 +10,7 @@
 #include "ClippedSurface.h"
 #include "ConditionSentences.h"
 #include "FieldArrays.h"
+#include "FilterRun.h"
 #include "KernelExecutor.h"
 #include "PlaneOnLattice.h"
 #include "PreparedInput.h"
@@ -33,7 +34,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <string>
 
 vtkStandardNewMacro(vtkPolyDataClipClosedSurface);
@@ -88,37 +88,22 @@ private:
 //------------------------------------------------------------------------------
 void vtkPolyDataClipClosedSurface::Run::Execute()
 {
-  sbvtk::Failure failure{ 0, "" };
-  try
-  {
+  const auto steps = [this] {
     this->ListPlanes();
     this->CheckSettings();
     this->ReadInput();
     this->Compute();
     this->BuildOutputs();
-    sbvtk::StopIfAsked(this->Filter);
-    return;
-  }
-  catch (const sbvtk::Failure& thrown)
-  {
-    failure = thrown;
-  }
-  catch (const sbvtk::Stopped&)
-  {
-    failure = sbvtk::FailureOf(sb::Status::Aborted);
-  }
-  catch (const std::bad_alloc&)
-  {
-    failure = { OUT_OF_MEMORY,
-      "The result does not fit into memory; decimate the input or close other data first." };
-  }
-  this->Surface->Initialize();
-  this->Outline->Initialize();
-  this->AddFields(failure.Status, failure.Sentence);
-  if (failure.Status != static_cast<int>(sb::Status::Aborted))
-  {
-    vtkErrorWithObjectMacro(this->Filter, << failure.Sentence);
-  }
+  };
+  const auto report = [this](const sbvtk::FilterFailure& failure) {
+    this->Surface->Initialize();
+    this->Outline->Initialize();
+    this->AddFields(failure.Status, failure.Sentence);
+  };
+  sbvtk::RunSteps(this->Filter, steps,
+    { report, sbvtk::FailureOf(sb::Status::Aborted),
+      { OUT_OF_MEMORY,
+        "The result does not fit into memory; decimate the input or close other data first." } });
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include "ConditionSentences.h"
 #include "ContourFill.h"
 #include "FieldArrays.h"
+#include "FilterRun.h"
 #include "KernelExecutor.h"
 #include "PreparedInput.h"
 #include "SurfaceInput.h"
@@ -33,7 +34,6 @@
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
-#include <new>
 #include <numeric>
 #include <string>
 
@@ -70,9 +70,7 @@ private:
 //------------------------------------------------------------------------------
 void vtkPolyDataContourTriangulator::Run::Execute()
 {
-  sbvtk::Failure failure{ 0, "" };
-  try
-  {
+  const auto steps = [this] {
     this->ReadLines();
     this->Result = sb::FillLines(this->Request);
     if (sb::IsError(this->Result.Condition))
@@ -86,28 +84,15 @@ void vtkPolyDataContourTriangulator::Run::Execute()
     this->Output->GetPointData()->SetActiveAttribute(-1, vtkDataSetAttributes::NORMALS);
     this->BuildTriangles();
     this->Report();
-    sbvtk::StopIfAsked(this->Filter);
-    return;
-  }
-  catch (const sbvtk::Failure& thrown)
-  {
-    failure = thrown;
-  }
-  catch (const sbvtk::Stopped&)
-  {
-    failure = sbvtk::FailureOf(sb::Status::Aborted);
-  }
-  catch (const std::bad_alloc&)
-  {
-    failure = { OUT_OF_MEMORY, "The result does not fit into memory; close other data first." };
-  }
-  this->Output->Initialize();
-  this->Result = sb::ContourFillResult();
-  this->AddFields(failure.Status, failure.Sentence);
-  if (failure.Status != static_cast<int>(sb::Status::Aborted))
-  {
-    vtkErrorWithObjectMacro(this->Filter, << failure.Sentence);
-  }
+  };
+  const auto report = [this](const sbvtk::FilterFailure& failure) {
+    this->Output->Initialize();
+    this->Result = sb::ContourFillResult();
+    this->AddFields(failure.Status, failure.Sentence);
+  };
+  sbvtk::RunSteps(this->Filter, steps,
+    { report, sbvtk::FailureOf(sb::Status::Aborted),
+      { OUT_OF_MEMORY, "The result does not fit into memory; close other data first." } });
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include "CapBlocks.h"
 #include "Cut.h"
 #include "FieldArrays.h"
+#include "FilterRun.h"
 #include "KernelExecutor.h"
 #include "PlaneOnLattice.h"
 #include "PreparedInput.h"
@@ -30,7 +31,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <string>
 
 vtkStandardNewMacro(vtkPolyDataCutClosedSurface);
@@ -78,9 +78,7 @@ private:
 //------------------------------------------------------------------------------
 void vtkPolyDataCutClosedSurface::Run::Execute()
 {
-  sbvtk::Failure failure{ 0, "" };
-  try
-  {
+  const auto steps = [this] {
     this->CheckSettings();
     this->Filter->Input->Prepared.Read(
       this->Inputs[0], NOT_A_SURFACE, this->Filter->Tolerance, this->Executor);
@@ -92,29 +90,16 @@ void vtkPolyDataCutClosedSurface::Run::Execute()
       this->Filter->Input->Prepared.Names(), this->Points(), this->Caps, this->Executor);
     this->Times.push_back({ "Build output", this->Watch.Lap() });
     this->Report();
-    sbvtk::StopIfAsked(this->Filter);
-    return;
-  }
-  catch (const sbvtk::Failure& thrown)
-  {
-    failure = thrown;
-  }
-  catch (const sbvtk::Stopped&)
-  {
-    failure = sbvtk::FailureOf(sb::Status::Aborted);
-  }
-  catch (const std::bad_alloc&)
-  {
-    failure = { OUT_OF_MEMORY,
-      "The result does not fit into memory; decimate the input or close other data first." };
-  }
-  this->Result = sb::CutResult();
-  this->Caps->Initialize();
-  this->AddFields(failure.Status, failure.Sentence);
-  if (failure.Status != static_cast<int>(sb::Status::Aborted))
-  {
-    vtkErrorWithObjectMacro(this->Filter, << failure.Sentence);
-  }
+  };
+  const auto report = [this](const sbvtk::FilterFailure& failure) {
+    this->Result = sb::CutResult();
+    this->Caps->Initialize();
+    this->AddFields(failure.Status, failure.Sentence);
+  };
+  sbvtk::RunSteps(this->Filter, steps,
+    { report, sbvtk::FailureOf(sb::Status::Aborted),
+      { OUT_OF_MEMORY,
+        "The result does not fit into memory; decimate the input or close other data first." } });
 }
 
 //------------------------------------------------------------------------------

@@ -107,10 +107,6 @@ public:
       [&visit](std::size_t, std::int32_t begin, std::int32_t end) { visit(begin, end); });
   }
 
-  /** The box around the points of a node. */
-  const Real3& LowerOf(std::size_t node) const { return this->Boxes[node].Lower; }
-  const Real3& UpperOf(std::size_t node) const { return this->Boxes[node].Upper; }
-
   /** For each node, by its number, the largest of its points' values, which are in the order of the
    * tree. */
   std::vector<double> LargestOfNodes(const double* values) const;

@@ -7,7 +7,6 @@
 #include "OutputAssembly.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace sb
 {
@@ -103,7 +102,7 @@ private:
     for (std::int32_t vertex = 0; vertex < this->NumberOfVertices; ++vertex)
     {
       const double* p = this->World.Position(this->FirstVertex + vertex);
-      std::size_t slot = std::size_t(HashOfPlace(p)) & (size - 1);
+      std::size_t slot = std::size_t(HashPlace(p)) & (size - 1);
       while (table[slot] >= 0 && !this->IsAt(table[slot], p))
       {
         slot = (slot + 1) & (size - 1);
@@ -117,19 +116,6 @@ private:
         this->Sets.Unite(table[slot], vertex);
       }
     }
-  }
-
-  static std::uint64_t HashOfPlace(const double* p)
-  {
-    std::uint64_t hash = 0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double coordinate = p[axis] + 0.0; // the two zeros are one place
-      std::uint64_t bits;
-      std::memcpy(&bits, &coordinate, sizeof bits);
-      hash = Mix(bits + 0x9e3779b97f4a7c15u * (hash + 1));
-    }
-    return hash;
   }
 
   bool IsAt(std::int32_t vertex, const double* p) const

@@ -19,6 +19,35 @@ constexpr int OutOfMemory = 22;
 
 } // namespace
 
+void RunSteps(
+  vtkAlgorithm* filter, const std::function<void()>& steps, const UpdateEndings& endings)
+{
+  FilterFailure failure{ Ok, "" };
+  try
+  {
+    steps();
+    StopIfAsked(filter);
+    return;
+  }
+  catch (const FilterFailure& thrown)
+  {
+    failure = thrown;
+  }
+  catch (const Stopped&)
+  {
+    failure = endings.IfStopped;
+  }
+  catch (const std::bad_alloc&)
+  {
+    failure = endings.IfOutOfMemory;
+  }
+  endings.Report(failure);
+  if (failure.Status != Aborted)
+  {
+    vtkErrorWithObjectMacro(filter, << failure.Sentence);
+  }
+}
+
 FilterRun::FilterRun(vtkAlgorithm* filter, const std::vector<vtkDataObject*>& outputs)
   : Owner(filter)
   , Outputs(outputs)
@@ -29,38 +58,20 @@ FilterRun::~FilterRun() = default;
 
 void FilterRun::Execute()
 {
-  try
-  {
+  const auto steps = [this] {
     this->TakeSteps();
     this->AddFields(this->Status, this->Message);
-    StopIfAsked(this->Owner);
-  }
-  catch (const Failure& failure)
-  {
-    this->Fail(failure);
-  }
-  catch (const Stopped&)
-  {
-    this->Fail({ Aborted, "The filter was stopped." });
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->Fail(
-      { OutOfMemory, "The result does not fit into memory; " + this->AdviceOnMemory() + "." });
-  }
-}
-
-void FilterRun::Fail(const Failure& failure)
-{
-  for (vtkDataObject* output : this->Outputs)
-  {
-    output->Initialize();
-  }
-  this->AddFields(failure.Status, failure.Sentence);
-  if (failure.Status != Aborted)
-  {
-    vtkErrorWithObjectMacro(this->Owner, << failure.Sentence);
-  }
+  };
+  const auto report = [this](const Failure& failure) {
+    for (vtkDataObject* output : this->Outputs)
+    {
+      output->Initialize();
+    }
+    this->AddFields(failure.Status, failure.Sentence);
+  };
+  RunSteps(this->Owner, steps,
+    { report, { Aborted, "The filter was stopped." },
+      { OutOfMemory, "The result does not fit into memory; " + this->AdviceOnMemory() + "." } });
 }
 
 void FilterRun::Warn(int status, const std::string& sentence)

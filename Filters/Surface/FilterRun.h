@@ -14,6 +14,7 @@
 #include "Stopwatch.h"
 #include "sbSurfaceModule.h" // for the export macro
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,20 @@ class vtkDataObject;
 namespace sbvtk
 {
 
+/** What is left to say of an update that has no result. */
+struct UpdateEndings
+{
+  std::function<void(const FilterFailure&)> Report; ///< empties the outputs, adds the field data
+  FilterFailure IfStopped;
+  FilterFailure IfOutOfMemory;
+};
+
+/** Take the steps of an update. Where one of them fails, memory runs out or the user stops the
+ * filter, that is reported; of all but the last the user hears the sentence. */
+SBSURFACE_EXPORT void RunSteps(
+  vtkAlgorithm* filter, const std::function<void()>& steps, const UpdateEndings& endings);
+
+/** One update of a filter: derived classes have its steps. */
 class SBSURFACE_EXPORT FilterRun
 {
 public:
@@ -55,8 +70,6 @@ protected:
   std::vector<sb::StageTime> Times;
 
 private:
-  void Fail(const Failure& failure);
-
   std::vector<vtkDataObject*> Outputs;
   int Status = 0;
   std::string Message;

@@ -277,6 +277,24 @@ bool RankGathering::InAll(bool condition) const
 }
 
 //------------------------------------------------------------------------------
+void RankGathering::TryInAll(const std::function<void()>& work) const
+{
+  bool fits = true;
+  try
+  {
+    work();
+  }
+  catch (const std::bad_alloc&)
+  {
+    fits = false;
+  }
+  if (!this->InAll(fits))
+  {
+    throw std::bad_alloc();
+  }
+}
+
+//------------------------------------------------------------------------------
 std::int64_t RankGathering::Sum(std::int64_t value) const
 {
   const long long own = value;
@@ -296,22 +314,12 @@ std::vector<std::vector<char>> RankGathering::Collect(const std::vector<char>& b
   std::vector<long long> sizes(count, own);
   this->Controller->AllGather(&own, sizes.data(), 1);
   std::vector<std::vector<char>> all(this->IsFirst() ? count : 0);
-  bool fits = true;
-  try
-  {
+  this->TryInAll([&] {
     for (std::size_t rank = 0; rank < all.size(); ++rank)
     {
       all[rank].resize(static_cast<std::size_t>(sizes[rank]));
     }
-  }
-  catch (const std::bad_alloc&)
-  {
-    fits = false;
-  }
-  if (!this->InAll(fits))
-  {
-    throw std::bad_alloc();
-  }
+  });
   for (std::size_t rank = 0; rank < all.size(); ++rank)
   {
     if (rank == 0)
@@ -337,24 +345,22 @@ void RankGathering::Distribute(std::vector<char>& bytes) const
 {
   long long size = static_cast<long long>(bytes.size());
   this->Controller->Broadcast(&size, 1, 0);
-  bool fits = true;
-  try
-  {
-    bytes.resize(static_cast<std::size_t>(size));
-  }
-  catch (const std::bad_alloc&)
-  {
-    fits = false;
-  }
-  if (!this->InAll(fits))
-  {
-    throw std::bad_alloc();
-  }
+  this->TryInAll([&] { bytes.resize(static_cast<std::size_t>(size)); });
   for (vtkIdType at = 0; at < size; at += longestMessage)
   {
     this->Controller->Broadcast(
       bytes.data() + at, std::min<vtkIdType>(longestMessage, size - at), 0);
   }
+}
+
+//------------------------------------------------------------------------------
+void RankGathering::DistributeFirstOf(std::vector<char>& bytes) const
+{
+  const std::vector<std::vector<char>> all = this->Collect(bytes);
+  const auto first = std::find_if(
+    all.begin(), all.end(), [](const std::vector<char>& ofRank) { return !ofRank.empty(); });
+  bytes = first == all.end() ? std::vector<char>() : *first;
+  this->Distribute(bytes);
 }
 
 //------------------------------------------------------------------------------
@@ -374,31 +380,16 @@ vtkSmartPointer<vtkDataObject> RankGathering::Gather(
   kept = {};
   std::vector<Piece> pieces;
   std::vector<char> bytes;
-  bool fits = true;
-  const auto tryTo = [&fits](const std::function<void()>& work) {
-    try
-    {
-      work();
-    }
-    catch (const std::bad_alloc&)
-    {
-      fits = false;
-    }
-  };
-  tryTo([&] {
+  this->TryInAll([&] {
     pieces = PiecesOf(own);
     if (!this->IsFirst())
     {
       PackPieces(pieces, PieceContents::All, bytes);
     }
   });
-  if (!this->InAll(fits))
-  {
-    throw std::bad_alloc();
-  }
   std::vector<std::vector<char>> received = this->Collect(bytes);
   std::vector<char>().swap(bytes);
-  tryTo([&] {
+  this->TryInAll([&] {
     for (std::vector<char>& ofRank : received)
     {
       const std::vector<Piece> others = UnpackPieces(ofRank);
@@ -414,18 +405,15 @@ vtkSmartPointer<vtkDataObject> RankGathering::Gather(
       }
     }
   });
-  if (!this->InAll(fits))
-  {
-    throw std::bad_alloc();
-  }
   if (receiver == Receiver::All)
   {
     this->Distribute(bytes);
-    tryTo([&] { kept.Whole = this->IsFirst() ? kept.Whole : Together(UnpackPieces(bytes), own); });
-    if (!this->InAll(fits))
-    {
-      throw std::bad_alloc();
-    }
+    this->TryInAll([&] {
+      if (!this->IsFirst())
+      {
+        kept.Whole = Together(UnpackPieces(bytes), own);
+      }
+    });
   }
   kept.Stamp = std::move(stamp);
   return kept.Whole;
@@ -522,11 +510,7 @@ void RankGathering::ShareArraysWithEmpty(vtkPolyData* surface) const
   {
     PackPieces({ { 0, VTK_POLY_DATA, surface } }, PieceContents::OnlyArrays, bytes);
   }
-  const std::vector<std::vector<char>> all = this->Collect(bytes);
-  const auto first = std::find_if(
-    all.begin(), all.end(), [](const std::vector<char>& ofRank) { return !ofRank.empty(); });
-  bytes = first == all.end() ? std::vector<char>() : *first;
-  this->Distribute(bytes);
+  this->DistributeFirstOf(bytes);
   if (surface->GetNumberOfPoints() == 0 && !bytes.empty())
   {
     surface->ShallowCopy(UnpackPieces(bytes).front().Data);

@@ -109,8 +109,8 @@ public:
    * any. */
   void ShareArraysWithEmpty(vtkPolyData* surface) const;
 
-  /** What each process gives: for the first one, the others get nothing. */
-  std::vector<std::vector<char>> Collect(const std::vector<char>& bytes) const;
+  /** What the first process that gives any bytes gives, for all. */
+  void DistributeFirstOf(std::vector<char>& bytes) const;
 
   /** What the first process gives, for all. */
   void Distribute(std::vector<char>& bytes) const;
@@ -127,6 +127,12 @@ private:
     std::vector<vtkMTimeType> Stamp; ///< of this process's piece
     vtkSmartPointer<vtkDataObject> Whole;
   };
+
+  /** Let each process do its work. @throw std::bad_alloc in all if one has no memory for it */
+  void TryInAll(const std::function<void()>& work) const;
+
+  /** What each process gives: for the first one, the others get nothing. */
+  std::vector<std::vector<char>> Collect(const std::vector<char>& bytes) const;
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
   std::pair<vtkMTimeType, double> LastNews; ///< of the pipeline, and the time

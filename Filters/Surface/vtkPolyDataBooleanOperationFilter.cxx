@@ -5,6 +5,7 @@
 #include "AttributeUnion.h"
 #include "BlockNames.h"
 #include "FieldArrays.h"
+#include "FilterRun.h"
 #include "KernelExecutor.h"
 #include "ResultCurves.h"
 #include "ResultMeasures.h"
@@ -21,7 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <optional>
 #include <string>
 #include <vector>
@@ -58,7 +58,6 @@ private:
   void BuildOutputs();
   sbvtk::AttributeUnion Attributes(bool ofPoints);
   void Warn(const sbvtk::AttributeUnion& attributes);
-  void Fail(const Failure& failure);
   void AddFields(int status, const std::string& message);
   bool IsUnionOfOne() const;
 
@@ -79,29 +78,23 @@ private:
 //------------------------------------------------------------------------------
 void vtkPolyDataBooleanOperationFilter::Run::Execute()
 {
-  try
-  {
+  const auto steps = [this] {
     sbvtk::MatchConnections(this->Filter->Inputs->Connections, this->Inputs);
     this->CheckSettings();
     this->ReadInputs();
     this->Compute();
     this->Report();
     this->BuildOutputs();
-    sbvtk::StopIfAsked(this->Filter);
-  }
-  catch (const Failure& failure)
-  {
-    this->Fail(failure);
-  }
-  catch (const sbvtk::Stopped&)
-  {
-    this->Fail(sbvtk::FailureOf(sb::Status::Aborted));
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->Fail({ OUT_OF_MEMORY,
-      "The result does not fit into memory; decimate the inputs or close other data first." });
-  }
+  };
+  const auto report = [this](const sbvtk::FilterFailure& failure) {
+    this->Surface->Initialize();
+    this->Curves->Initialize();
+    this->AddFields(failure.Status, failure.Sentence);
+  };
+  sbvtk::RunSteps(this->Filter, steps,
+    { report, sbvtk::FailureOf(sb::Status::Aborted),
+      { OUT_OF_MEMORY,
+        "The result does not fit into memory; decimate the inputs or close other data first." } });
 }
 
 //------------------------------------------------------------------------------
@@ -272,18 +265,6 @@ void vtkPolyDataBooleanOperationFilter::Run::BuildOutputs()
 bool vtkPolyDataBooleanOperationFilter::Run::IsUnionOfOne() const
 {
   return this->Filter->Operation == VTK_UNION && this->Operands.size() == 1;
-}
-
-//------------------------------------------------------------------------------
-void vtkPolyDataBooleanOperationFilter::Run::Fail(const Failure& failure)
-{
-  this->Surface->Initialize();
-  this->Curves->Initialize();
-  this->AddFields(failure.Status, failure.Sentence);
-  if (failure.Status != static_cast<int>(sb::Status::Aborted))
-  {
-    vtkErrorWithObjectMacro(this->Filter, << failure.Sentence);
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -114,16 +114,9 @@ void FillPlaces(
   const std::vector<double>& coordinates, const std::vector<double>& distances, vtkPolyData* places)
 {
   vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  sbvtk::SetTuples(points, static_cast<vtkIdType>(coordinates.size() / 3));
-  std::copy(coordinates.begin(), coordinates.end(),
-    vtkDoubleArray::FastDownCast(points->GetData())->GetPointer(0));
+  points->SetData(sbvtk::ArrayOf<vtkDoubleArray>("Points", 3, coordinates));
   places->SetPoints(points);
-  vtkNew<vtkDoubleArray> values;
-  values->SetName("Distance");
-  sbvtk::SetTuples(values, static_cast<vtkIdType>(distances.size()));
-  std::copy(distances.begin(), distances.end(), values->GetPointer(0));
-  places->GetPointData()->AddArray(values);
+  places->GetPointData()->AddArray(sbvtk::ArrayOf<vtkDoubleArray>("Distance", 1, distances));
 }
 
 std::vector<double> DistancesOf(vtkPolyData* places)
@@ -132,16 +125,28 @@ std::vector<double> DistancesOf(vtkPolyData* places)
   return { values->GetPointer(0), values->GetPointer(0) + values->GetNumberOfValues() };
 }
 
-sbvtk::DistanceSurface::Remark OutOfMemory()
+/** Do it. @return what went wrong, an error if anything did */
+sbvtk::DistanceSurface::Remark Try(const std::function<void()>& work)
 {
-  return { vtkPolyDataDistance::OUT_OF_MEMORY,
-    "The result does not fit into memory; decimate the Tool or close other data first.", true };
-}
-
-sbvtk::DistanceSurface::Remark WasStopped()
-{
-  const sbvtk::FilterFailure stopped = sbvtk::FailureOf(sb::Status::Aborted);
-  return { stopped.Status, stopped.Sentence, true };
+  try
+  {
+    work();
+    return {};
+  }
+  catch (const sbvtk::DistanceSurface::Remark& failure)
+  {
+    return failure;
+  }
+  catch (const sbvtk::Stopped&)
+  {
+    const sbvtk::FilterFailure stopped = sbvtk::FailureOf(sb::Status::Aborted);
+    return { stopped.Status, stopped.Sentence, true };
+  }
+  catch (const std::bad_alloc&)
+  {
+    return { vtkPolyDataDistance::OUT_OF_MEMORY,
+      "The result does not fit into memory; decimate the Tool or close other data first.", true };
+  }
 }
 
 } // namespace
@@ -150,8 +155,7 @@ sbvtk::DistanceSurface::Remark WasStopped()
 void vtkPolyDataDistance::Run::Execute()
 {
   using Receiver = sbvtk::RankGathering::Receiver;
-  try
-  {
+  const Remark failure = Try([this] {
     this->Alone([this] { this->CheckSettings(); });
     const vtkSmartPointer<vtkDataObject> tool = this->Ranks.Gather(this->Tool, 1, 0, Receiver::All);
     this->Alone([&] {
@@ -176,18 +180,10 @@ void vtkPolyDataDistance::Run::Execute()
                                        : this->Gravest.Sentence);
     }
     this->Alone([this] { sbvtk::StopIfAsked(this->Filter); });
-  }
-  catch (const Remark& failure)
+  });
+  if (failure.IsError)
   {
     this->Fail(failure);
-  }
-  catch (const sbvtk::Stopped&)
-  {
-    this->Fail(WasStopped());
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->Fail(OutOfMemory());
   }
   this->BringTogether();
 }
@@ -202,23 +198,7 @@ void vtkPolyDataDistance::Run::Alone(const std::function<void()>& step)
     step();
     return;
   }
-  Remark failure;
-  try
-  {
-    step();
-  }
-  catch (const Remark& thrown)
-  {
-    failure = thrown;
-  }
-  catch (const sbvtk::Stopped&)
-  {
-    failure = WasStopped();
-  }
-  catch (const std::bad_alloc&)
-  {
-    failure = OutOfMemory();
-  }
+  Remark failure = Try(step);
   if (this->Ranks.InAll(!failure.IsError))
   {
     return;
@@ -230,11 +210,7 @@ void vtkPolyDataDistance::Run::Alone(const std::function<void()>& step)
     std::memcpy(bytes.data(), &failure.Status, sizeof failure.Status);
     bytes.insert(bytes.end(), failure.Sentence.begin(), failure.Sentence.end());
   }
-  const std::vector<std::vector<char>> all = this->Ranks.Collect(bytes);
-  const auto first = std::find_if(
-    all.begin(), all.end(), [](const std::vector<char>& ofRank) { return !ofRank.empty(); });
-  bytes = first == all.end() ? std::vector<char>() : *first;
-  this->Ranks.Distribute(bytes);
+  this->Ranks.DistributeFirstOf(bytes);
   std::memcpy(&failure.Status, bytes.data(), sizeof failure.Status);
   failure.Sentence.assign(bytes.begin() + sizeof failure.Status, bytes.end());
   failure.IsError = true;

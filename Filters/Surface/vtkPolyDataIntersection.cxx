@@ -6,6 +6,7 @@
 #include "AttributeUnion.h"
 #include "BlockNames.h"
 #include "FieldArrays.h"
+#include "FilterRun.h"
 #include "Intersection.h"
 #include "KernelExecutor.h"
 #include "ResultCurves.h"
@@ -25,7 +26,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -65,7 +65,6 @@ private:
   void AddCurveArrays();
   void AddSplitArrays(
     const sb::SplitSurface& split, const sbvtk::ResultSurface& result, vtkPolyData* output);
-  void Fail(const Failure& failure);
   void AddFields(int status, const std::string& message);
 
   vtkPolyDataIntersection* Filter;
@@ -84,8 +83,7 @@ private:
 //------------------------------------------------------------------------------
 void vtkPolyDataIntersection::Run::Execute()
 {
-  try
-  {
+  const auto steps = [this] {
     this->CheckSettings();
     this->ReadInputs();
     this->Compute();
@@ -105,21 +103,17 @@ void vtkPolyDataIntersection::Run::Execute()
       none ? (self ? "The surface does not meet itself, so there is no curve."
                    : "The surfaces do not meet, so there is no curve.")
            : "The result is complete.");
-    sbvtk::StopIfAsked(this->Filter);
-  }
-  catch (const Failure& failure)
-  {
-    this->Fail(failure);
-  }
-  catch (const sbvtk::Stopped&)
-  {
-    this->Fail(sbvtk::FailureOf(sb::Status::Aborted));
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->Fail({ OUT_OF_MEMORY,
-      "The result does not fit into memory; decimate the inputs or close other data first." });
-  }
+  };
+  const auto report = [this](const sbvtk::FilterFailure& failure) {
+    this->Curves->Initialize();
+    this->Splits[0]->Initialize();
+    this->Splits[1]->Initialize();
+    this->AddFields(failure.Status, failure.Sentence);
+  };
+  sbvtk::RunSteps(this->Filter, steps,
+    { report, sbvtk::FailureOf(sb::Status::Aborted),
+      { OUT_OF_MEMORY,
+        "The result does not fit into memory; decimate the inputs or close other data first." } });
 }
 
 //------------------------------------------------------------------------------
@@ -293,19 +287,6 @@ void vtkPolyDataIntersection::Run::AddSplitArrays(
   output->GetCellData()->AddArray(patches);
   output->GetCellData()->SetActiveScalars("PatchId"); // ParaView colours by it at once
   output->GetPointData()->AddArray(seam);
-}
-
-//------------------------------------------------------------------------------
-void vtkPolyDataIntersection::Run::Fail(const Failure& failure)
-{
-  this->Curves->Initialize();
-  this->Splits[0]->Initialize();
-  this->Splits[1]->Initialize();
-  this->AddFields(failure.Status, failure.Sentence);
-  if (failure.Status != static_cast<int>(sb::Status::Aborted))
-  {
-    vtkErrorWithObjectMacro(this->Filter, << failure.Sentence);
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #include "ConditionSentences.h"
 #include "DefectLines.h"
 #include "FieldArrays.h"
+#include "FilterRun.h"
 #include "KernelExecutor.h"
 #include "OperandSurface.h"
 #include "Stopwatch.h"
@@ -24,7 +25,6 @@
 #include "vtkPoints.h"
 
 #include <algorithm>
-#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,7 +63,6 @@ private:
   void AddShellField(const char* name, ValueOf&& valueOf);
   void AddCount(const char* name, std::int64_t count);
   void AddStatus(int status, const std::string& message);
-  void Fail(const Failure& failure);
 
   vtkPolyDataSurfaceCheck* Filter;
   vtkDataObject* Input;
@@ -89,27 +88,22 @@ bool HasFloatPoints(vtkPolyData* surface)
 //------------------------------------------------------------------------------
 void vtkPolyDataSurfaceCheck::Run::Execute()
 {
-  try
-  {
+  const auto steps = [this] {
     this->ReadInput();
     this->Compute();
     this->BuildOutputs();
-    sbvtk::StopIfAsked(this->Filter);
-  }
-  catch (const Failure& failure)
-  {
-    this->Fail(failure);
-  }
-  catch (const sbvtk::Stopped&)
-  {
-    this->Fail(sbvtk::FailureOf(sb::Status::Aborted));
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->Fail({ OUT_OF_MEMORY,
-      "The check does not fit into memory; decimate the Input, switch Self Intersections off, or "
-      "close other data first." });
-  }
+  };
+  const auto report = [this](const sbvtk::FilterFailure& failure) {
+    this->Surface->Initialize();
+    this->Defects->Initialize();
+    this->Times.clear();
+    this->AddStatus(failure.Status, failure.Sentence);
+  };
+  sbvtk::RunSteps(this->Filter, steps,
+    { report, sbvtk::FailureOf(sb::Status::Aborted),
+      { OUT_OF_MEMORY,
+        "The check does not fit into memory; decimate the Input, switch Self Intersections off, or "
+        "close other data first." } });
 }
 
 //------------------------------------------------------------------------------
@@ -280,19 +274,6 @@ void vtkPolyDataSurfaceCheck::Run::AddStatus(int status, const std::string& mess
   if (!this->Times.empty())
   {
     sbvtk::AddStageFields(this->Surface, this->Times);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkPolyDataSurfaceCheck::Run::Fail(const Failure& failure)
-{
-  this->Surface->Initialize();
-  this->Defects->Initialize();
-  this->Times.clear();
-  this->AddStatus(failure.Status, failure.Sentence);
-  if (failure.Status != static_cast<int>(sb::Status::Aborted))
-  {
-    vtkErrorWithObjectMacro(this->Filter, << failure.Sentence);
   }
 }
 
