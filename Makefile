@@ -7,10 +7,11 @@ JOBS := $(shell nproc)
 CMAKE_ARGUMENTS :=
 FUZZ_SECONDS := 600
 TORTURE_PAIRS := 3000
+SANITIZERS := address,undefined
 
 PREFIX := /usr/local
 
-.PHONY: build test demo bench fuzz torture gui install package screenshots format clean dependencies
+.PHONY: build test demo bench memory fuzz sanitize torture gui install package screenshots format clean dependencies
 
 build: dependencies
 	@cmake -G Ninja -S . -B $(BUILD) -DCMAKE_BUILD_TYPE=Release $(CMAKE_ARGUMENTS) > $(BUILD)-configure.log 2>&1 \
@@ -30,8 +31,14 @@ demo: build
 bench: build
 	@. $(BUILD)/env.sh && Testing/Benchmarks/run.sh
 
+memory: build
+	@. $(BUILD)/env.sh && /usr/bin/python3 Testing/Benchmarks/memory.py
+
 fuzz:
 	@BUILD=$(BUILD) Testing/Fuzz/run.sh $(FUZZ_SECONDS)
+
+sanitize:
+	@BUILD=$(BUILD) Testing/Sanitizers/run.sh $(SANITIZERS)
 
 torture: build
 	@. $(BUILD)/env.sh && Testing/Filters/torture.sh "$(BUILD)/torture-venv" --pairs $(TORTURE_PAIRS)

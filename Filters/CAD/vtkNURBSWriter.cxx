@@ -130,6 +130,10 @@ void vtkNURBSWriter::WriteWhole(vtkDataObject* data)
   {
     return;
   }
+  if (outcome.Status == sbvtk::CADStatus::OutOfMemory)
+  {
+    throw std::bad_alloc();
+  }
   if (outcome.Status != sbvtk::CADStatus::Ok)
   {
     failure = "could not be written, for Open CASCADE gave up on it (" + outcome.Reason +

@@ -4,6 +4,7 @@
 
 #include "ArrayMemory.h"
 #include "AttributeUnion.h"
+#include "CellLists.h"
 #include "ConditionSentences.h"
 #include "ContourFill.h"
 #include "FieldArrays.h"
@@ -98,6 +99,12 @@ void vtkPolyDataContourTriangulator::Run::Execute()
 //------------------------------------------------------------------------------
 void vtkPolyDataContourTriangulator::Run::ReadLines()
 {
+  sbvtk::KernelExecutor executor;
+  const std::string damage = sbvtk::DamageOfCells(this->Input, executor);
+  if (!damage.empty())
+  {
+    throw sbvtk::Failure{ NOT_A_SURFACE, "Input " + damage };
+  }
   const vtkIdType numberOfPoints = this->Input->GetNumberOfPoints();
   if (numberOfPoints > 0)
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistanceSurface.h"
 
+#include "CellLists.h"
 #include "ConditionSentences.h"
 #include "Ingest.h"
 
@@ -39,6 +40,11 @@ DistanceSurface::Remark DistanceSurface::Prepare(
   }
   this->Prepared.reset();
   this->Converted.reset();
+  const std::string damage = DamageOfCells(surface, executor);
+  if (!damage.empty())
+  {
+    return { static_cast<int>(sb::Status::BadIndex), name + " " + damage, true };
+  }
   if (!OperandSurface::FitsInt32(surface))
   {
     return Error(sb::Status::TooLarge, name);

@@ -3,6 +3,7 @@
 #include "PieceMerging.h"
 
 #include "BorderJoining.h"
+#include "CellLists.h"
 #include "PointSubstitution.h"
 #include "SurfaceInput.h"
 
@@ -110,7 +111,9 @@ vtkSmartPointer<vtkPolyData> WithoutGhosts(vtkPolyData* piece)
 {
   const unsigned char* ofCells = MarksOf(piece->GetCellData(), piece->GetNumberOfCells());
   const unsigned char* ofPoints = MarksOf(piece->GetPointData(), piece->GetNumberOfPoints());
-  if ((!ofCells && !ofPoints) || piece->GetNumberOfPoints() == 0)
+  sb::SerialExecutor executor;
+  if ((!ofCells && !ofPoints) || piece->GetNumberOfPoints() == 0 ||
+    !DamageOfCells(piece, executor).empty()) // which whoever gets it will tell
   {
     return piece;
   }
@@ -140,6 +143,10 @@ vtkSmartPointer<vtkPolyData> MergePieces(
   vtkIdType end = 0;
   for (vtkPolyData* piece : pieces)
   {
+    if (!DamageOfCells(piece, executor).empty())
+    {
+      return piece; // nothing can be made of it, and whoever gets it will tell
+    }
     if (piece->GetNumberOfPoints() > 0)
     {
       filled->SetPartition(filled->GetNumberOfPartitions(), piece);

@@ -4,6 +4,7 @@
 
 #include "ArrayMemory.h"
 #include "AttributeUnion.h"
+#include "CellLists.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -216,8 +217,12 @@ std::string SurfaceInput::Read(vtkDataObject* data, sb::Executor& executor, int 
 {
   if (vtkPolyData* surface = vtkPolyData::SafeDownCast(data))
   {
-    this->ReadSurface(surface, firstBlock);
-    return "";
+    const std::string damage = DamageOfCells(surface, executor);
+    if (damage.empty())
+    {
+      this->ReadSurface(surface, firstBlock);
+    }
+    return damage;
   }
   if (!vtkCompositeDataSet::SafeDownCast(data))
   {
@@ -231,6 +236,11 @@ std::string SurfaceInput::Read(vtkDataObject* data, sb::Executor& executor, int 
     if (!vtkPolyData::SafeDownCast(leaf))
     {
       return "has a block that " + Refusal(leaf);
+    }
+    const std::string damage = DamageOfCells(vtkPolyData::SafeDownCast(leaf), executor);
+    if (!damage.empty())
+    {
+      return "has a block that " + damage;
     }
     leaves.push_back(vtkPolyData::SafeDownCast(leaf));
     leafTimes.push_back(leaf->GetMTime());

@@ -153,8 +153,8 @@ void vtkWholePolyDataAlgorithm::ComputeOnFirst(
   catch (const std::bad_alloc&)
   {
     const std::string sentence =
-      "The pieces of the inputs do not fit into the memory of the first process of the server; "
-      "decimate the inputs first, or give that process more memory.";
+      "The pieces of the inputs do not fit into the memory of one of the server's processes, of "
+      "which the first has to hold all; decimate the inputs first, or give it more memory.";
     Empty(outputs);
     for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
     {

@@ -47,9 +47,11 @@ def inlined(text):
 
     def inline(match):
         tag = match.group(0)
-        offset = int(re.search(rb'\boffset="(\d+)"', tag).group(1))
+        offset = re.search(rb'\boffset="(\d+)"', tag)
+        if not offset:
+            raise ValueError("an array in it does not say where its data are")
         tag = re.sub(rb'\boffset="\d+"', b"", tag).replace(b'format="appended"', b'format="binary"')
-        content = reader(data, offset, word, order, compressed)
+        content = reader(data, int(offset.group(1)), word, order, compressed)
         name = re.match(rb"<(\w+)", tag).group(1)
         return (
             tag.rstrip(b"/>").rstrip()
@@ -77,9 +79,9 @@ def _raw_block(data, offset, word, order, compressed):
 def _base64_block(data, offset, word, order, compressed):
     """A block that is base64 already: how long it is, its header tells."""
     if not compressed:
-        size = _numbers(base64.b64decode(data[offset : offset + _encoded(word)]), word, order)[0]
+        size = _numbers(base64.b64decode(_piece(data, offset, offset + _encoded(word))), word, order)[0]
         return _piece(data, offset, offset + _encoded(word + size))
-    blocks = _numbers(base64.b64decode(data[offset : offset + _encoded(3 * word)]), word, order)[0]
+    blocks = _numbers(base64.b64decode(_piece(data, offset, offset + _encoded(3 * word))), word, order)[0]
     content = offset + _encoded((3 + blocks) * word)
     sizes = _numbers(base64.b64decode(_piece(data, offset, content)), word, order)[3:]
     return _piece(data, offset, content + _encoded(sum(sizes)))

@@ -19,7 +19,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyDa
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkIOGeometry import vtkBYUReader, vtkGLTFReader, vtkOBJReader, vtkSTLReader, vtkSTLWriter
 from vtkmodules.vtkIOLegacy import vtkDataSetReader, vtkDataSetWriter
-from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
+from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkIOXML import (
     vtkXMLImageDataReader,
     vtkXMLImageDataWriter,
@@ -35,6 +35,7 @@ from surfacebooleans import vtk as classes
 from surfacebooleans.appended_xml import has_appended_data, inlined
 from surfacebooleans.errors import FileError, SurfaceBooleansError
 from surfacebooleans.meshes import as_data, points_of, polydata
+from surfacebooleans.ply import read_ply
 from surfacebooleans.running import configure, update
 
 READERS = {
@@ -42,7 +43,6 @@ READERS = {
     ".glb": vtkGLTFReader,
     ".gltf": vtkGLTFReader,
     ".obj": vtkOBJReader,
-    ".ply": vtkPLYReader,
     ".stl": vtkSTLReader,
     ".vti": vtkXMLImageDataReader,
     ".vtk": vtkDataSetReader,
@@ -52,6 +52,7 @@ READERS = {
     ".vts": vtkXMLStructuredGridReader,
     ".vtu": vtkXMLUnstructuredGridReader,
 }
+OWN_READERS = {".ply": read_ply}
 POINT_LISTS = (".asc", ".csv", ".pts", ".pwn", ".txt", ".xyz")
 WRITERS = {
     ".ply": vtkPLYWriter,
@@ -69,7 +70,7 @@ SURFACES_ONLY = (".stl", ".step", ".stp")
 
 def readable_suffixes():
     """The endings of all files that `read` takes, in lower case; those of meshio only if it is installed."""
-    return sorted({*READERS, *POINT_LISTS, *_suffixes_of_meshio()})
+    return sorted({*READERS, *OWN_READERS, *POINT_LISTS, *_suffixes_of_meshio()})
 
 
 def read(path):
@@ -98,6 +99,8 @@ def read(path):
         return read_nurbs(path)
     if suffix in READERS:
         return _read(path, lambda: _read_by_vtk(path, READERS[suffix]()))
+    if suffix in OWN_READERS:
+        return _read(path, lambda: OWN_READERS[suffix](path))
     return _read(path, lambda: (_read_points if suffix in POINT_LISTS else _read_by_meshio)(path))
 
 
@@ -207,7 +210,9 @@ def _messages_caught():
     finally:
         vtkOutputWindow.SetInstance(usual)
         vtkLogger.SetStderrVerbosity(verbosity)
-    error = re.search(r"ERROR: In .*\n\w+ \(\w+\): (.*)", caught.GetOutput())
+    text = caught.GetOutput()  # bytes where it is no text, as in what is quoted of a damaged file
+    text = text.decode(errors="replace") if isinstance(text, bytes) else text
+    error = re.search(r"ERROR: In .*\n\w+ \(\w+\): (.*)", text)
     if error:
         raise SurfaceBooleansError(error.group(1))
 
@@ -215,6 +220,8 @@ def _messages_caught():
 def _read_by_vtk(path, reader):
     if path.suffix.lower() == ".stl":
         _check_length_of_stl(path)
+    if path.suffix.lower() == ".vtk":
+        _check_head_of_vtk(path)
     if path.suffix.lower().startswith(".vt") and has_appended_data(path):
         reader.ReadFromInputStringOn()
         reader.SetInputString(inlined(path.read_bytes()))
@@ -234,6 +241,13 @@ def _check_length_of_stl(path):
     promised, present = int.from_bytes(head[80:], "little"), (path.stat().st_size - 84) // 50
     if present < promised:
         raise FileError(f"{path}: the file ends after {present:,} of {promised:,} triangles")
+
+
+def _check_head_of_vtk(path):
+    """vtkDataSetReader ends the program where the version is no number."""
+    with open(path, "rb") as file:
+        if not re.match(rb"# vtk DataFile Version \d+\.\d+\s", file.read(64)):
+            raise FileError(f"{path}: it has no head of a VTK file")
 
 
 def _check_format(path, data):

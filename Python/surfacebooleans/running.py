@@ -74,7 +74,9 @@ def update(algorithm, progress=False, work=None):
 
 def _sentence(text):
     """A message of VTK without its first line, which names a place in the source, and without the object's address."""
-    return re.sub(r"\A\w+: In .*, line \d+\n\w+ \(\w+\): ", "", text).strip()
+    sentence = re.sub(r"\A\w+: In .*, line \d+\n\w+ \(\w+\): ", "", text).strip()
+    silent = re.match(r"Algorithm (\w+) \(\w+\) returned failure", sentence)
+    return f"{silent.group(1)} gave up and does not say why; what it was given may be damaged" if silent else sentence
 
 
 def _status(algorithm):

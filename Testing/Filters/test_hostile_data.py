@@ -204,7 +204,7 @@ def with_offsets(bad):
     def change(data):
         for get, set_ in ((data.GetPolys, data.SetPolys), (data.GetLines, data.SetLines)):
             offsets = vtk_to_numpy(get().GetOffsetsArray()).astype(np.int64)
-            if len(offsets) > 4:
+            if len(offsets) > 1:
                 offsets[len(offsets) // 2] = bad
                 cells = vtkCellArray()
                 ids = vtk_to_numpy(get().GetConnectivityArray()).astype(np.int64)
@@ -215,10 +215,14 @@ def with_offsets(bad):
     return change
 
 
-@pytest.mark.parametrize("bad", (-1, 0, 2**40))
+@pytest.mark.parametrize("bad", (-1, 10**6, 2**40))
 @pytest.mark.parametrize("name", WITH_INPUTS)
-def test_cells_that_begin_outside_of_the_list_of_ids_do_no_harm(name, bad):
-    answer(made_with(name, with_offsets(bad)))
+def test_cells_that_begin_outside_of_the_list_of_ids_are_told(name, bad):
+    """Where only the points of a cloud are used, there are no such cells."""
+    made = made_with(name, lambda data: with_offsets(bad)(with_ids(-(2**61))(data)))
+    assert answer(made) == ("taken" if "cloud" == "".join(FILTERS[name].inputs) else "refused")
+    if status(made) > 0:
+        assert "damaged" in field_value(outputs(made)[0], "Message")
 
 
 def with_other_cells(data):

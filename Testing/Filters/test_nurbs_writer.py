@@ -304,3 +304,46 @@ def test_a_folder_that_is_not_there(tmp_path):
     first = cad.read(made(tmp_path, "cylinder", 2.0, 5.0))
     said = write(first.data, tmp_path / "absent" / "x.step")
     assert said.failed and "cannot be written" in said.errors[0]
+
+
+def test_it_can_be_stopped_at_any_moment(tmp_path):
+    """There is then no file, or, if the word came too late, the whole one; and the next one is as ever."""
+    from surfacebooleans.vtk import vtkNURBSWriter
+
+    path = tmp_path / "stopped.step"
+    writer = vtkNURBSWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputDataObject(0, cad.read(f"{cad.SAMPLES}/iges/hammer.iges").data)
+    heard = []
+    writer.AddObserver("ProgressEvent", lambda *_: heard.append(writer.GetProgress()))
+    writer.Write()
+    words, whole = len(heard), writer.GetNumberOfFaces()
+    stopped = 0
+    for at in sorted({1, 2, words // 3, words // 2, words - 1}):
+        path.unlink()
+        heard.clear()
+        observer = writer.AddObserver("ProgressEvent", lambda *_: len(heard) == at and writer.SetAbortExecute(1))
+        errors, _ = heard_from_call(writer, writer.Write)
+        writer.RemoveObserver(observer)
+        writer.SetAbortExecute(0)
+        assert not errors
+        assert [file.name for file in tmp_path.iterdir()] in ([], [path.name])
+        stopped += not path.exists()
+        writer.Write()
+        assert writer.GetNumberOfFaces() == whole and cad.read(path).field_data["NumberOfFaces"][0] == whole
+    assert stopped > 0
+
+
+@pytest.mark.parametrize("name", ["", " ", "/", "/no/such/folder/x.step", "\n", "ä" * 5000, "%s%n"])
+def test_any_name_is_a_file_or_a_sentence(tmp_path, name, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    said = write(cad.read(made(tmp_path, "cylinder", 2.0, 5.0)).data, name)
+    assert len(said.errors) == (1 if said.failed else 0)
+    assert said.failed or (tmp_path / name).exists()
+
+
+def test_cells_that_end_nowhere_are_told(tmp_path):
+    data = cad.read(made(tmp_path, "cylinder", 2.0, 5.0)).data
+    vtk_to_numpy(data.GetPolys().GetOffsetsArray())[7] = 2**30
+    said = write(data, tmp_path / "refused.step")
+    assert said.failed and len(said.errors) == 1 and "damaged" in said.errors[0]

@@ -208,12 +208,16 @@ def cloud_scenes():
     yield "Cloud's Boolean", simple.PointSetBoolean(Input=cloud, Tool=box, Operation="Difference"), 3, ()
 
 
-def designed_scenes():
+def designed_scenes(folder):
     """As surface_scenes; only where the plugin reads CAD files and there is one."""
     if hasattr(simple, "NURBSReader") and os.path.exists(CAD_FILE):
         part = simple.NURBSReader(FileName=CAD_FILE)
         yield "CAD part", part, 1, ()
-        yield "CAD part, cut", simple.ClosedSurfaceClip(Input=part, Origin=[-15, 0, 5], Normal=[1, 0, 0]), 2, ()
+        cut = simple.ClosedSurfaceClip(Input=part, Origin=[-15, 0, 5], Normal=[1, 0, 0])
+        yield "CAD part, cut", cut, 2, ()
+        path = os.path.join(folder, "cut.step")
+        simple.SaveData(path, proxy=cut)
+        yield "CAD part, cut, written and read", simple.NURBSReader(FileName=path), 1, ()
 
 
 def main(target, *server):
@@ -222,7 +226,7 @@ def main(target, *server):
         simple.Connect(server[0], int(server[1]))
     facts = {}
     folder = os.path.dirname(os.path.abspath(target))
-    scenes = [*surface_scenes(folder), *distance_scenes(folder), *cloud_scenes(), *designed_scenes()]
+    scenes = [*surface_scenes(folder), *distance_scenes(folder), *cloud_scenes(), *designed_scenes(folder)]
     for name, proxy, outputs, values in scenes:
         spread = name.startswith("Distance ") and "field" not in name
         for port in range(outputs):

@@ -15,6 +15,7 @@ FOLDER = os.path.dirname(os.path.abspath(__file__))
 SCENES = os.path.join(FOLDER, "scenes.py")
 RANKS = int(os.environ.get("RANKS", "2"))
 MINUTES = 10
+OUT_OF_MEMORY = 22
 
 # Containers run as root, and small machines have fewer cores than ranks; other MPIs take no notice of these.
 MPI_SETTINGS = {
@@ -28,18 +29,22 @@ pytestmark = pytest.mark.skipif(
 )
 
 
-def run(*command):
+# Of glibc: what is freed goes back to the system, so that nothing is left of it under a limit.
+NO_RESERVE = {"MALLOC_ARENA_MAX": "1", "MALLOC_MMAP_THRESHOLD_": "4096"}
+
+
+def run(*command, **environment):
     """The lines that a program printed; it has to end well, and in time: ranks that wait for each other never do."""
     done = subprocess.run(
-        command, env=os.environ | MPI_SETTINGS, timeout=60 * MINUTES, text=True, capture_output=True, check=False
+        command, env=os.environ | MPI_SETTINGS | environment, timeout=60 * MINUTES, text=True, capture_output=True, check=False
     )
     assert done.returncode == 0, done.stdout[-3000:] + done.stderr[-3000:]
     return (done.stdout + done.stderr).splitlines()
 
 
-def with_ranks(*command):
+def with_ranks(*command, **environment):
     """As run, for a program of several processes."""
-    return run("mpirun", "-np", str(RANKS), *command)
+    return run("mpirun", "-np", str(RANKS), *command, **environment)
 
 
 def facts(folder, name):
@@ -128,3 +133,16 @@ def test_symmetric_batch(folder):
     assert len({report["distance when the last stops"] for report in reports}) == 1
     assert reports[0]["distance when the last stops"] != 0
     assert all(report["distance after it"] == 0 for report in reports)
+
+
+def test_too_little_memory_in_one_process(folder):
+    """Whichever process it is, all end the update with the error and nothing, and none waits for ever or crashes."""
+    with_ranks("pvbatch", "--symmetric", os.path.join(FOLDER, "scarce_memory.py"), str(folder), **NO_RESERVE)
+    reports = [facts(folder, f"memory{rank}.json") for rank in range(RANKS)]
+    assert len(reports[0]) >= 7
+    for name in reports[0]:
+        for kind, (status, has_points) in ((kind, answer) for report in reports for kind, answer in report[name].items()):
+            expected = OUT_OF_MEMORY if "none" not in kind else 0
+            assert status == expected, f"{name}: {kind}"
+            assert not (status and has_points), f"{name}: {kind}"
+        assert all(reports[0][name][kind][1] for kind in ("none is poor", "none is poor again")), name
