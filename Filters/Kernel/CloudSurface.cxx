@@ -16,7 +16,6 @@ namespace
 {
 
 constexpr std::int32_t FewestPoints = 6;
-constexpr double WidthInSpacings = 3.0;
 constexpr double MostThin = 0.2; ///< share of points on thin walls
 constexpr double NeighboursAtThat = 16.0; ///< that planes are fitted to; a larger width takes more
 constexpr std::int64_t Grain = 1 << 14;

@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr std::int64_t Grain = 256;
-constexpr double InSpacings = 3.0;
+constexpr double InSpacings = WidthInSpacings;
 constexpr double LeastInSpacings = 2.0;
 constexpr std::int32_t MostProbes = 20000;
 constexpr int Neighbours = 16; ///< that a sample's spacing is measured with

@@ -88,7 +88,7 @@ public:
   ///@}
 
   ///@{
-  /** The scale factor h, in the unit of the points; 0, the default, takes three spacings, more
+  /** The scale factor h, in the unit of the points; 0, the default, takes 3.15 spacings, more
    * where the cloud is sparser than elsewhere, and less where a wall is thin. */
   vtkSetMacro(Width, double);
   vtkGetMacro(Width, double);

@@ -3,7 +3,7 @@
 """Clouds of sphere, torus, cylinder and cone at three densities and three noises: sections, volumes and areas go to
 their analytic values, as fast as theory says.
 
-Noise sigma leaves sigma 5 / (3 sqrt(pi)) s / R on the surface, R = 2.2 h: at h = 3 s a seventh of it; averaged over a
+Noise sigma leaves sigma 4 / sqrt(7 pi) s / R on the surface, R = 2 h: at h = 3.15 s an eighth of it; averaged over a
 whole curve or surface next to nothing of that is left but -H sigma^2. A mesh of chords of length e lies inside by
 about k e^2 / 8.
 """
@@ -18,7 +18,7 @@ from sections import plane_section
 
 COUNTS = (2000, 8000, 32000)
 NOISES = (0.0, 0.2, 0.5)  # in spacings
-GAIN = 5 / (3 * np.sqrt(np.pi) * 2.2 * 3)
+GAIN = 4 / (np.sqrt(7 * np.pi) * 2 * 3.15)
 
 
 def sphere(count, rng):

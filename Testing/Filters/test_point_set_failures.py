@@ -39,8 +39,8 @@ def test_noise_is_reported_and_a_larger_width_averages_it():
         result = surface_of(noisy, normals, Width=widths * spacing, ComputeCurvatures=False)
         assert result.number("ResidualRMS") == pytest.approx(0.5 * spacing, rel=0.05)
         errors.append(np.sqrt(np.mean((np.linalg.norm(result.points, axis=1) - 1) ** 2)))
-        # (1 - r^2 / R^2)^4 up to R = 2.2 h leaves 5 / (3 sqrt(pi)) s / R of the noise
-        predicted = 0.5 * spacing * 5 / (3 * np.sqrt(np.pi) * 2.2 * widths)
+        # (1 - r^2 / R^2)^3 up to R = 2 h leaves 4 / sqrt(7 pi) s / R of the noise
+        predicted = 0.5 * spacing * 4 / (np.sqrt(7 * np.pi) * 2 * widths)
         assert errors[-1] == pytest.approx(predicted, rel=0.25)
 
 
@@ -188,7 +188,7 @@ def test_edges_are_rounded_over_about_a_width():
     width = result.number("Width")
     from_edge = np.sort(0.5 - np.abs(points), axis=1)[:, 1]
     residual = np.abs(result.arrays["Residual"])
-    assert residual[from_edge > 2.2 * width].max() < 1e-9  # flat: no difference at all
+    assert residual[from_edge > 2.0 * width].max() < 1e-9  # flat: no difference at all
     assert residual[from_edge < 0.3 * width].mean() > 0.05 * width  # the edge itself is cut off
     assert np.nanmax(residual) < width
 
