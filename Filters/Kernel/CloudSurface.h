@@ -34,6 +34,7 @@ enum class CloudStatus
   NoPlane, ///< all points lie on lines, and have no normals
   ThinWall, ///< more than a fifth of the points lie on walls thinner than the width
   TooLarge, ///< more points than 32-bit numbers can name
+  OutOfScale, ///< coordinates so small or large that products of them are no numbers
   Aborted
 };
 

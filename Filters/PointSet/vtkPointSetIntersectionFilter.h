@@ -94,7 +94,7 @@ public:
 
   ///@{
   /** How far the curve may be from a segment of the polyline, in the unit of the points; 0, the
-   * default, takes a tenth of the spacing. */
+   * default, takes a tenth of the spacing; less than 1e-8 spacings counts as that. */
   vtkSetMacro(ChordError, double);
   vtkGetMacro(ChordError, double);
   ///@}

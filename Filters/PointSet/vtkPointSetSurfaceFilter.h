@@ -76,7 +76,8 @@ public:
     NO_PLANE = 31, ///< error: all points lie on lines
     TOO_FINE = 32, ///< error: the mesh would have too many cells
     THIN_WALL =
-      38 ///< error: more than a fifth of the points lie on walls or gaps that are too thin
+      38, ///< error: more than a fifth of the points lie on walls or gaps that are too thin
+    OUT_OF_SCALE = 39 ///< error: the points are less than 1e-60 or more than 1e60 apart
   };
 
   ///@{
