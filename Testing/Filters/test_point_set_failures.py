@@ -11,7 +11,7 @@ import measures
 import meshes
 from booleans import polydata
 from clouds import implicit, surface_of
-from sections import plane_section
+from sections import curves_of, plane_section
 
 OK, DOUBTFUL, THIN_PARTS, TOUCHING, THIN_WALL, OUT_OF_SCALE = 0, 2, 4, 6, 38, 39
 DEFINED, FAR, BORDER, CONTRADICTING = 0, 1, 2, 3
@@ -280,6 +280,10 @@ def test_large_coordinates_cost_their_last_digits_only(shift):
     x = curves.points - shift
     assert curves.of_curves["Closed"].tolist() == [1]
     assert np.hypot(x[:, 0], x[:, 1]) == pytest.approx(0.8, abs=1e-6)
+    ball = meshes.moved(meshes.icosphere(3, 0.5), (0.9 + shift, shift, shift))
+    cut = curves_of(clouds.cloud(points + shift, normals), ball)
+    assert cut.of_curves["Closed"].tolist() == [1]
+    assert np.abs(np.linalg.norm(cut.points - shift, axis=1) - 1).max() < 100 * digits
 
 
 def all_of_a_torus(scale):
