@@ -16,7 +16,8 @@ namespace
 {
 
 constexpr std::int32_t FewestPoints = 6;
-constexpr double WidthInSpacings = 3.0;
+constexpr double LeastSpacing = 1e-60; ///< curvatures need the fourth power of lengths
+constexpr double LargestSpacing = 1e60;
 constexpr double MostThin = 0.2; ///< share of points on thin walls
 constexpr double NeighboursAtThat = 16.0; ///< that planes are fitted to; a larger width takes more
 constexpr std::int64_t Grain = 1 << 14;
@@ -44,10 +45,14 @@ public:
       this->Tree->NumberOfNotFinite() - this->Cloud.NumberWithoutNormal;
     this->Cloud.NumberOfDuplicates = this->Tree->NumberOfDuplicates();
     this->Cloud.Spacing = SpacingOf(*this->Tree, this->Threads);
-    if (this->Tree->Size() < FewestPoints || !(this->Cloud.Spacing > 0.0) ||
-      !std::isfinite(this->Cloud.Spacing))
+    if (this->Tree->Size() < FewestPoints)
     {
       return this->End(CloudStatus::TooFewPoints);
+    }
+    // Points of the tree differ, so none at all and infinity are squares that were no numbers.
+    if (!(this->Cloud.Spacing >= LeastSpacing && this->Cloud.Spacing <= LargestSpacing))
+    {
+      return this->End(CloudStatus::OutOfScale);
     }
     if (!given)
     {

@@ -23,7 +23,7 @@ struct CloudRequest
   const double* Normals = nullptr; ///< of any length, or null to estimate them
   std::int64_t Count = 0;
   SurfaceDefinition Definition = SurfaceDefinition::Unbiased;
-  double Width = 0.0; ///< h; 0: three spacings, as SampleWidths.h has it
+  double Width = 0.0; ///< h; 0: 3.15 spacings, as SampleWidths.h has it
   bool Flip = false; ///< turn all normals over
 };
 
@@ -34,6 +34,7 @@ enum class CloudStatus
   NoPlane, ///< all points lie on lines, and have no normals
   ThinWall, ///< more than a fifth of the points lie on walls thinner than the width
   TooLarge, ///< more points than 32-bit numbers can name
+  OutOfScale, ///< coordinates so small or large that products of them are no numbers
   Aborted
 };
 

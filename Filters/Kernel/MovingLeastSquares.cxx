@@ -4,6 +4,7 @@
 
 #include "Lanes.h"
 #include "UnbiasedSurface.h"
+#include "WeightedQuotient.h"
 
 #include <algorithm>
 #include <atomic>
@@ -19,7 +20,7 @@ constexpr double LargestOffset = 0.5; ///< of the samples' mean along the surfac
 constexpr double MarginOfIterations = 0.35; ///< in h: most projections stay within it
 constexpr double Slack = 0.8; ///< in R: how far around a place the tree is looked up
 constexpr double LastStep = 1e-6; ///< in h
-constexpr double ReachOfUnbiased = 2.2; ///< in h
+constexpr double ReachOfUnbiased = 2.0; ///< in h
 constexpr double ReachOfAmentaKil = 4.5;
 constexpr std::size_t FirstRoom = 6; ///< rows before it hold samples, two from it on are room
 constexpr std::size_t NumberOfRows = FirstRoom + 2;
@@ -120,30 +121,6 @@ struct NormalField
     }
   }
 };
-
-/** Turn F and its derivatives into F / (2 W) and its derivatives. */
-void DivideByWeights(double w, const Real3& wb, const Real3x3& wbc, int order, SurfaceValue& f)
-{
-  const double scale = 0.5 / w;
-  const double value = f.Value / w;
-  if (order > 1)
-  {
-    for (std::size_t b = 0; b < 3; ++b)
-    {
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        f.Hessian[b][c] = scale *
-          (f.Hessian[b][c] - (f.Gradient[b] * wb[c] + f.Gradient[c] * wb[b]) / w -
-            value * wbc[b][c] + 2.0 * value * wb[b] * wb[c] / w);
-      }
-    }
-  }
-  for (std::size_t b = 0; b < 3; ++b)
-  {
-    f.Gradient[b] = scale * (f.Gradient[b] - value * wb[b]);
-  }
-  f.Value *= scale;
-}
 
 /** Of the Gaussian weight, what does not need n. */
 struct NormalSums
@@ -423,8 +400,8 @@ SurfaceValue MovingLeastSquares::EvaluateAmentaKil(
     return f;
   }
   const EnergySums energy = samples.SumEnergy(field.Unit);
-  f.Value = energy.G;
-  Real3x3 wbc{};
+  const double ratio = energy.G / sums.W;
+  const Real3 wb = Scaled(sums.B, 2.0 * samples.Slope);
   if (order > 0)
   {
     const Real3 turn = TransposeTimes(field.Derivative, energy.D);
@@ -444,9 +421,11 @@ SurfaceValue MovingLeastSquares::EvaluateAmentaKil(
         f.Hessian[r][c] += energy.S * (field.Derivative[r][c] + field.Derivative[c][r]);
       }
     }
-    wbc = sums.Spread.PlusDiagonal(2.0 * samples.Slope * sums.W);
+    f.Hessian = HessianOfQuotient(sums.W, ratio, wb,
+      sums.Spread.PlusDiagonal(2.0 * samples.Slope * sums.W), f.Gradient, f.Hessian);
   }
-  DivideByWeights(sums.W, Scaled(sums.B, 2.0 * samples.Slope), wbc, order, f);
+  f.Gradient = GradientOfQuotient(sums.W, ratio, wb, f.Gradient);
+  f.Value = 0.5 * ratio;
   return f;
 }
 

@@ -18,9 +18,11 @@
  * The first lies inside of a sphere by as much as the second lies outside, and for points on a
  * sphere the mean is exact for every h and every placement of the points; UnbiasedSurface.h says
  * with which n. It has one zero sheet, and as it is close to a distance, one step of Newton's
- * method nearly reaches it. The weight (1 - |d|^2 / R^2)^4 with R = 2.2 h ends at R by itself and
- * costs no exponential. Here samples may have widths of their own, so that each reaches as far as
- * its neighbours are, however the density of the cloud varies.
+ * method nearly reaches it. The weight (1 - |d|^2 / R^2)^3 with R = 2 h ends at R by itself and
+ * costs no exponential, and is the lowest of such powers whose curvatures are continuous: higher
+ * ones need more samples for the same average.
+ * Here samples may have widths of their own, so that each reaches as far as its neighbours are,
+ * however the density of the cloud varies.
  *
  * Both are handed out divided by twice the sum of the weights, and so are a length: the zero set
  * and the curvatures of its sections are those of Eq. 5. The value is negative behind the normals.

@@ -12,7 +12,6 @@ namespace
 {
 
 constexpr std::int64_t Grain = 256;
-constexpr double InSpacings = 3.0;
 constexpr double LeastInSpacings = 2.0;
 constexpr std::int32_t MostProbes = 20000;
 constexpr int Neighbours = 16; ///< that a sample's spacing is measured with
@@ -40,7 +39,7 @@ public:
   SampleWidths Run(double width, bool each)
   {
     SampleWidths result;
-    result.Typical = width > 0.0 ? width : InSpacings * this->Spacing;
+    result.Typical = width > 0.0 ? width : WidthInSpacings * this->Spacing;
     const auto typical = [&result](std::int32_t) { return result.Typical; };
     std::vector<double> walls = this->Walls(this->Stride, typical);
     this->Report(walls, this->Stride, typical, result);
@@ -64,7 +63,7 @@ public:
     walls = this->Walls(1, own);
     for (std::size_t i = 0; i < walls.size(); ++i)
     {
-      const double least = LeastInSpacings / InSpacings * result.Widths[i];
+      const double least = LeastInSpacings / WidthInSpacings * result.Widths[i];
       result.Widths[i] = std::clamp(walls[i], least, result.Widths[i]);
     }
     this->Report(walls, 1, own, result);
@@ -122,7 +121,7 @@ private:
       }
       std::nth_element(around, around + number / 2, around + number);
       const double ratio = std::max(1.0, around[number / 2] / this->Spacing);
-      result.Widths[k] = InSpacings * ratio * this->Spacing;
+      result.Widths[k] = WidthInSpacings * ratio * this->Spacing;
     });
   }
 

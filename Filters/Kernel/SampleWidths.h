@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SampleWidths.h
- * @brief How wide the weights of a cloud's samples are: three spacings, more where the cloud is
+ * @brief How wide the weights of a cloud's samples are: 3.15 spacings, more where the cloud is
  * sparse, and less where a wall is thin.
  *
  * One width for all does for scans of about one density. Where the spacing varies more than chance
- * makes it vary, samples in sparse parts take three of their own spacings; else they would lose
+ * makes it vary, samples in sparse parts take 3.15 of their own spacings; else they would lose
  * their neighbours, and the surface would break up. What is dense keeps the common width: it may be
  * several scans on top of each other. Weights for the area of a sample do harm: the few wide
  * samples beside a dense part then pull it to their side.
@@ -26,6 +26,10 @@
 
 namespace sb
 {
+
+/** The width, where the cloud is as dense as mostly: more noise is averaged than with three, and
+ * still a wall of four spacings is left as it is. */
+constexpr double WidthInSpacings = 3.15;
 
 struct SampleWidths
 {

@@ -3,6 +3,7 @@
 #include "UnbiasedSurface.h"
 
 #include "Lanes.h"
+#include "WeightedQuotient.h"
 
 namespace sb
 {
@@ -112,8 +113,7 @@ Sums SumUp(const Real3& place, const NearGroups& near)
       L t = at.Left;
       KeepPositive(t);
       const L t2 = t * t;
-      const L t3 = t2 * t;
-      const L th = t3 * t;
+      const L th = t2 * t;
       w += th;
       k += th * at.Height;
       squares += th * at.Squared;
@@ -129,7 +129,7 @@ Sums SumUp(const Real3& place, const NearGroups& near)
       if constexpr (WithSlopes)
       {
         double* const room = near.Room + i * RoomOfGroup + part;
-        const L slope = -8.0 * at.Inverse * t3;
+        const L slope = -6.0 * at.Inverse * t2;
         Store(room, slope);
         Store(room + GroupSize, at.Height);
         Store(room + 2 * GroupSize, at.Squared);
@@ -329,7 +329,7 @@ SecondSums SumSecond(const Real3& place, const NearGroups& near, const Influence
       }
       L t = at.Left;
       KeepPositive(t);
-      const L second = 48.0 * at.Inverse * at.Inverse * t * t;
+      const L second = 24.0 * at.Inverse * at.Inverse * t;
       L first;
       Load(first, near.Room + i * RoomOfGroup + part);
       diagonalOfW += first;
@@ -432,26 +432,6 @@ Real3x3 HessianOf(
   return hessian;
 }
 
-/** Turn F and its derivatives into those of F / (2 W). */
-void DivideByWeights(double w, const Real3& wb, const Real3x3& wbc, UnbiasedValue& f)
-{
-  const double scale = 0.5 / w;
-  const double value = 2.0 * f.Value;
-  for (std::size_t b = 0; b < 3; ++b)
-  {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      f.Hessian[b][c] = scale *
-        (f.Hessian[b][c] - (f.Gradient[b] * wb[c] + f.Gradient[c] * wb[b]) / w - value * wbc[b][c] +
-          2.0 * value * wb[b] * wb[c] / w);
-    }
-  }
-  for (std::size_t b = 0; b < 3; ++b)
-  {
-    f.Gradient[b] = scale * (f.Gradient[b] - value * wb[b]);
-  }
-}
-
 template <class L, bool Uneven>
 void AddSecondOrder(
   const Real3& x, const NearGroups& near, const Sums& sums, const Fit& fit, UnbiasedValue& f)
@@ -463,7 +443,9 @@ void AddSecondOrder(
     PlusScaled(PlusScaled(Scaled(slopes.W, fit.By.W), fit.By.K, slopes.K), fit.By.D, slopes.D);
   f.Gradient = PlusScaled(f.Gradient, 1.0, TransposeTimes(slopes.B, fit.By.B));
   f.Gradient = PlusScaled(f.Gradient, 1.0, TransposeTimes(slopes.N, fit.By.N));
-  DivideByWeights(sums.W, slopes.W, second.OfW, f);
+  const double ratio = 2.0 * f.Value;
+  f.Hessian = HessianOfQuotient(sums.W, ratio, slopes.W, second.OfW, f.Gradient, f.Hessian);
+  f.Gradient = GradientOfQuotient(sums.W, ratio, slopes.W, f.Gradient);
 }
 
 template <class L, bool Uneven>

@@ -38,7 +38,7 @@ void CloudRun::CheckLength(const char* name, double length)
   if (!std::isfinite(length) || length < 0.0)
   {
     throw Failure{ CloudFilter::BAD_REQUEST,
-      std::string(name) + " is " + std::to_string(length) + "; set it to 0 or a positive length." };
+      std::string(name) + " is " + Text(length) + "; set it to 0 or a positive length." };
   }
 }
 

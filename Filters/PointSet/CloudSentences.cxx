@@ -4,10 +4,8 @@
 
 #include "vtkPointSetSurfaceFilter.h"
 
-#include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
+#include <cstdio>
 
 namespace sbvtk
 {
@@ -26,20 +24,32 @@ int StatusOf(sb::CloudStatus status)
       return vtkPointSetSurfaceFilter::THIN_WALL;
     case sb::CloudStatus::TooLarge:
       return vtkPointSetSurfaceFilter::TOO_LARGE;
+    case sb::CloudStatus::OutOfScale:
+      return vtkPointSetSurfaceFilter::OUT_OF_SCALE;
     case sb::CloudStatus::Aborted:
       return vtkPointSetSurfaceFilter::ABORTED;
   }
   return vtkPointSetSurfaceFilter::OK;
 }
 
+std::string Text(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+std::string PercentOf(double share)
+{
+  const long percent = std::lround(100.0 * share);
+  return percent == 0 && share > 0.0 ? "less than 1 %" : std::to_string(percent) + " %";
+}
+
 std::string ThinPartsOf(const sb::CloudSurface& cloud)
 {
-  std::ostringstream text;
-  text << std::setprecision(3) << std::max(0.1, std::round(1000.0 * cloud.ThinShare) / 10.0)
-       << " % of the points lie on walls or beside gaps of about " << cloud.ThinWall
-       << ", thinner than the width that is used there (Width is " << cloud.Surface->Width()
-       << "), so that the two sides run into each other";
-  return text.str();
+  return "Of the points, " + PercentOf(cloud.ThinShare) + " lie on walls or beside gaps of about " +
+    Text(cloud.ThinWall) + ", thinner than the width that is used there (Width is " +
+    Text(cloud.Surface->Width()) + "), so that the two sides run into each other";
 }
 
 std::string RefusalOf(const sb::CloudSurface& cloud, std::int64_t numberOfPoints)
@@ -65,6 +75,10 @@ std::string RefusalOf(const sb::CloudSurface& cloud, std::int64_t numberOfPoints
         "half of it.";
     case sb::CloudStatus::TooLarge:
       return "Input has more than 2147483647 points; divide it.";
+    case sb::CloudStatus::OutOfScale:
+      return "The points of Input are less than 1e-60 or more than 1e60 apart, and what is "
+             "computed "
+             "from their distances is no number there; scale Input, for instance by Transform.";
     case sb::CloudStatus::Aborted:
       return "The filter was stopped.";
   }

@@ -17,6 +17,12 @@ namespace sbvtk
 /** The value of vtkPointSetSurfaceFilter::StatusType for it. */
 int StatusOf(sb::CloudStatus status);
 
+/** A number with three digits. */
+std::string Text(double value);
+
+/** A share as whole per cent, or "less than 1 %". */
+std::string PercentOf(double share);
+
 /** How much of it is thinner than its width allows, as the beginning of a sentence. */
 std::string ThinPartsOf(const sb::CloudSurface& cloud);
 

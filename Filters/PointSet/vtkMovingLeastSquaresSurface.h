@@ -81,7 +81,7 @@ public:
   ///@{
   /**
    * The scale factor h of Eq. 3, in the unit of the points: features smaller than it are smoothed
-   * away. 0, the default, takes three times the spacing of the points, more where the cloud is
+   * away. 0, the default, takes 3.15 times the spacing of the points, more where the cloud is
    * sparser than elsewhere, and less where a wall is thin.
    */
   vtkSetClampMacro(Width, double, 0.0, VTK_DOUBLE_MAX);
@@ -151,7 +151,7 @@ public:
 
   /** The typical distance of neighbouring points; 0 without a surface. */
   double GetSpacing();
-  /** The typical width in use: Width, or three spacings. */
+  /** The typical width in use: Width, or 3.15 spacings. */
   double GetActualWidth();
 
   /** Also that of the input. */

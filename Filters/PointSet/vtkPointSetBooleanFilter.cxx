@@ -5,6 +5,7 @@
 #include "CloudBoolean.h"
 #include "CloudBooleanOutputs.h"
 #include "CloudRun.h"
+#include "CloudSentences.h"
 #include "ConditionSentences.h"
 #include "DesignedInput.h"
 #include "FieldArrays.h"
@@ -21,7 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 vtkStandardNewMacro(vtkPointSetBooleanFilter);
@@ -32,14 +32,6 @@ namespace
 constexpr double LargestShareOfDoubtful = 0.2;
 constexpr double LargestShareOfTangent = 0.3; ///< of the seam, where it is called coincident
 constexpr double LargestResidual = 1e-6; ///< of the seam, in spacings, that goes without a warning
-
-/** Three digits: for sentences. */
-std::string Text(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
 
 } // namespace
 
@@ -164,8 +156,8 @@ void vtkPointSetBooleanFilter::Run::JudgeNormals()
   if (share > LargestShareOfDoubtful)
   {
     throw Failure{ DOUBTFUL_NORMALS,
-      std::to_string(std::lround(100.0 * share)) +
-        " % of the normals that were estimated for Input may be wrong, which is too much to know "
+      sbvtk::PercentOf(share) +
+        " of the normals that were estimated for Input may be wrong, which is too much to know "
         "its inside; give it normals that point outwards, or more points where it is thin or "
         "sharp." };
   }
@@ -223,7 +215,7 @@ void vtkPointSetBooleanFilter::Run::RefuseResult() const
         "on Flip Normals, or orient the normals of all parts outwards." };
     case sb::CloudBooleanStatus::TooFine:
       throw Failure{ TOO_FINE,
-        "The meshes would have too many triangles at a CellSize of " + Text(this->CellSize) +
+        "The meshes would have too many triangles at a CellSize of " + sbvtk::Text(this->CellSize) +
           "; choose a larger one." };
     case sb::CloudBooleanStatus::TooLarge:
       throw Failure{ TOO_LARGE, "The result would have more than 2147483647 points; divide it." };
@@ -261,10 +253,11 @@ void vtkPointSetBooleanFilter::Run::Judge()
   if (this->Result.TangentShare > LargestShareOfTangent)
   {
     this->Warn(COINCIDENT,
-      "Along " + std::to_string(std::lround(100.0 * this->Result.TangentShare)) +
-        " % of the seam the cloud and Tool run nearly in one surface, where noise decides which of "
+      "Along " + sbvtk::PercentOf(this->Result.TangentShare) +
+        " of the seam the cloud and Tool run nearly in one surface, where noise decides which of "
         "them is in front; move Tool by more than " +
-        Text(2.0 * this->Result.Errors.Sum()) + ", or cut with a body that crosses the cloud.");
+        sbvtk::Text(2.0 * this->Result.Errors.Sum()) +
+        ", or cut with a body that crosses the cloud.");
   }
   const bool off = this->Result.LargestResidual > LargestResidual * this->Cloud.Spacing;
   if (off && this->Result.NumberOfBackedOff > 0)
@@ -274,7 +267,7 @@ void vtkPointSetBooleanFilter::Run::Judge()
         std::to_string(this->Result.NumberOfBackedOff + this->Result.NumberOfSnapped) +
         " seam points could not be moved onto both surfaces without turning a triangle over, and "
         "are off by up to " +
-        Text(this->Result.LargestResidual) + " (Residual); choose a smaller CellSize.");
+        sbvtk::Text(this->Result.LargestResidual) + " (Residual); choose a smaller CellSize.");
   }
 }
 
@@ -304,7 +297,7 @@ void vtkPointSetBooleanFilter::Run::JudgeScan()
   {
     return;
   }
-  const std::string sure = " (smallest Confidence " + Text(this->Result.Confidence) + ")";
+  const std::string sure = " (smallest Confidence " + sbvtk::Text(this->Result.Confidence) + ")";
   if (this->Result.Seam.NumberOfEnds > 0)
   {
     this->Warn(OPEN_SEAM,

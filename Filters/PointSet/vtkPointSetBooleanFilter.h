@@ -121,7 +121,7 @@ public:
   ///@}
 
   ///@{
-  /** The scale factor h, in the unit of the points; 0, the default, takes three spacings. */
+  /** The scale factor h, in the unit of the points; 0, the default, takes 3.15 spacings. */
   vtkSetMacro(Width, double);
   vtkGetMacro(Width, double);
   ///@}

@@ -94,7 +94,7 @@ public:
 
   ///@{
   /** How far the curve may be from a segment of the polyline, in the unit of the points; 0, the
-   * default, takes a tenth of the spacing. */
+   * default, takes a tenth of the spacing; less than 1e-8 spacings counts as that. */
   vtkSetMacro(ChordError, double);
   vtkGetMacro(ChordError, double);
   ///@}
@@ -108,7 +108,7 @@ public:
   ///@}
 
   ///@{
-  /** The scale factor h, in the unit of the points; 0, the default, takes three spacings, more
+  /** The scale factor h, in the unit of the points; 0, the default, takes 3.15 spacings, more
    * where the cloud is sparser than elsewhere, and less where a wall is thin. */
   vtkSetMacro(Width, double);
   vtkGetMacro(Width, double);

@@ -243,7 +243,7 @@ void vtkPointSetSurfaceFilter::Run::BuildMesh()
   if (mesh.End == sb::PointSurfaceMesh::Ending::TooFine)
   {
     throw Failure{ TOO_FINE,
-      "Cells of " + std::to_string(cell) +
+      "Cells of " + sbvtk::Text(cell) +
         " are too small for the extent of Input; choose a larger CellSize, or remove outliers." };
   }
   this->Kept.KeepMesh(cell, kept);
@@ -287,8 +287,7 @@ void vtkPointSetSurfaceFilter::Run::BuildMesh()
 //------------------------------------------------------------------------------
 std::string vtkPointSetSurfaceFilter::Run::Share(double share) const
 {
-  return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " % of the " +
-    std::to_string(this->Count());
+  return "Of the " + std::to_string(this->Count()) + " points, " + sbvtk::PercentOf(share);
 }
 
 //------------------------------------------------------------------------------
@@ -299,8 +298,7 @@ void vtkPointSetSurfaceFilter::Run::Judge()
   {
     this->Warn(BAD_NORMALS,
       "No normal of Input has a length and is finite, so normals were estimated; compute them "
-      "anew, "
-      "or leave the array out.");
+      "anew, or leave the array out.");
   }
   else if (!this->Cloud.Estimated && this->Cloud.NumberWithoutNormal > 0)
   {
@@ -325,7 +323,7 @@ void vtkPointSetSurfaceFilter::Run::Judge()
   {
     this->Warn(DOUBTFUL_NORMALS,
       Share(this->ContradictingShare) +
-        " points have normals that contradict those around them (Validity is 3 there), as if parts "
+        " have normals that contradict those around them (Validity is 3 there), as if parts "
         "of Input were turned over; give Input normals that agree on a side, or none, to have them "
         "estimated.");
   }
@@ -333,9 +331,8 @@ void vtkPointSetSurfaceFilter::Run::Judge()
   {
     this->Warn(DOUBTFUL_NORMALS,
       Share(this->DoubtfulShare) +
-        " normals may be wrong (DoubtfulNormal is 1 there); give Input normals that agree on a "
-        "side, "
-        "or more points where it is thin or sharp.");
+        " have normals that may be wrong (DoubtfulNormal is 1 there); give Input normals that "
+        "agree on a side, or more points where it is thin or sharp.");
   }
   const double invalid = 1.0 -
     static_cast<double>(this->NumberOfValid) /
@@ -344,9 +341,8 @@ void vtkPointSetSurfaceFilter::Run::Judge()
   {
     this->Warn(INVALID_POINTS,
       Share(invalid) +
-        " points do not lie on a surface that the others define (see Validity); choose a larger "
-        "Width, "
-        "or remove outliers.");
+        " do not lie on a surface that the others define (see Validity); choose a larger Width, or "
+        "remove outliers.");
   }
 }
 

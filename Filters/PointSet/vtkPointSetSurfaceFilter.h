@@ -76,7 +76,8 @@ public:
     NO_PLANE = 31, ///< error: all points lie on lines
     TOO_FINE = 32, ///< error: the mesh would have too many cells
     THIN_WALL =
-      38 ///< error: more than a fifth of the points lie on walls or gaps that are too thin
+      38, ///< error: more than a fifth of the points lie on walls or gaps that are too thin
+    OUT_OF_SCALE = 39 ///< error: the points are less than 1e-60 or more than 1e60 apart
   };
 
   ///@{
@@ -88,7 +89,7 @@ public:
   ///@}
 
   ///@{
-  /** The scale factor h, in the unit of the points; 0, the default, takes three spacings, more
+  /** The scale factor h, in the unit of the points; 0, the default, takes 3.15 spacings, more
    * where the cloud is sparser than elsewhere, and less where a wall is thin. */
   vtkSetMacro(Width, double);
   vtkGetMacro(Width, double);

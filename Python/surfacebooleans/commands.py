@@ -248,7 +248,7 @@ def _fill(arguments, meshes, common):
 
 def _cloud_arguments(parser):
     parser.add_argument(
-        "--width", type=float, default=0.0, metavar="H", help="detail smaller than this is noise (three spacings)"
+        "--width", type=float, default=0.0, metavar="H", help="detail smaller than this is noise (3.15 spacings)"
     )
     parser.add_argument("--flip", action="store_true", help="turn all normals over")
 

@@ -23,7 +23,7 @@ def point_set_surface(cloud, *, cell_size=0.0, curvatures=True, width=0.0, flip=
     curvatures : bool, optional
         Whether points get their curvatures.
     width : float, optional
-        The scale below which detail is taken for noise, in the unit of the points; 0 for three spacings.
+        The scale below which detail is taken for noise, in the unit of the points; 0 for 3.15 spacings.
     flip : bool, optional
         Turn all normals over.
     threads, progress

@@ -69,6 +69,21 @@ inline Cloud Torus(int count, std::mt19937& random)
   return cloud;
 }
 
+/** A regular grid on that torus: random samples have an error of their own. */
+inline Cloud TorusGrid(int around, int across)
+{
+  Cloud cloud;
+  for (int i = 0; i < around * across; ++i)
+  {
+    const double a = 2.0 * Pi * (i % around) / around;
+    const double b = 2.0 * Pi * (i / around) / across;
+    const double reach = 1.0 + 0.4 * std::cos(b);
+    cloud.Add({ reach * std::cos(a), reach * std::sin(a), 0.4 * std::sin(b) },
+      { std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b) });
+  }
+  return cloud;
+}
+
 inline double DistanceToTorus(const sb::Real3& x)
 {
   return std::hypot(std::hypot(x[0], x[1]) - 1.0, x[2]) - 0.4;

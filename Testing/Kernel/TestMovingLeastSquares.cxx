@@ -116,19 +116,7 @@ void CurvaturesConverge()
   double last = 0.0;
   for (const double h : { 0.24, 0.12 })
   {
-    std::mt19937 random(4);
-    // A regular grid: random samples have an error of their own.
-    clouds::Cloud cloud;
-    const int around = 420;
-    const int across = 120;
-    for (int i = 0; i < around * across; ++i)
-    {
-      const double a = 2.0 * clouds::Pi * (i % around) / around;
-      const double b = 2.0 * clouds::Pi * (i / around) / across;
-      const double reach = 1.0 + 0.4 * std::cos(b);
-      cloud.Add({ reach * std::cos(a), reach * std::sin(a), 0.4 * std::sin(b) },
-        { std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b) });
-    }
+    const clouds::Cloud cloud = clouds::TorusGrid(420, 120);
     const sb::CloudSurface made = clouds::SurfaceOf(cloud, true, SurfaceDefinition::Unbiased, h);
     Neighbourhood near;
     double worst = 0.0;

@@ -62,7 +62,7 @@ void OneDensityKeepsOneWidth()
   {
     const sb::CloudSurface made = clouds::SurfaceOf(cloud);
     CHECK(!made.Surface->IsUneven());
-    CHECK_EQUAL(made.Surface->Width(), 3.0 * made.Spacing);
+    CHECK_EQUAL(made.Surface->Width(), sb::WidthInSpacings * made.Spacing);
     CHECK_EQUAL(made.ThinShare, 0.0);
   }
 }
@@ -77,7 +77,7 @@ void SparsePartsGetLargerWidths()
   double sparse = 0.0;
   for (std::int32_t i = 0; i < surface.Samples().Size(); ++i)
   {
-    CHECK(surface.WidthOf(i) >= 3.0 * made.Spacing * (1.0 - 1e-12));
+    CHECK(surface.WidthOf(i) >= sb::WidthInSpacings * made.Spacing * (1.0 - 1e-12));
     sparse = std::max(sparse, surface.WidthOf(i));
   }
   CHECK(sparse > 1.1 * surface.Width());

@@ -104,17 +104,7 @@ void SpheresAreExactAtEveryWidth()
  * nothing of that order. */
 void TheBiasOfATorusIsOfTheFourthOrder()
 {
-  clouds::Cloud cloud; // a regular grid: random samples have an error of their own
-  const int around = 700;
-  const int across = 280;
-  for (int i = 0; i < around * across; ++i)
-  {
-    const double a = 2.0 * clouds::Pi * (i % around) / around;
-    const double b = 2.0 * clouds::Pi * (i / around) / across;
-    const double reach = 1.0 + 0.4 * std::cos(b);
-    cloud.Add({ reach * std::cos(a), reach * std::sin(a), 0.4 * std::sin(b) },
-      { std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b) });
-  }
+  const clouds::Cloud cloud = clouds::TorusGrid(700, 280);
   const auto biasAt = [&](SurfaceDefinition definition, double h, double b) {
     const sb::CloudSurface made = clouds::SurfaceOf(cloud, true, definition, h);
     Neighbourhood near;
@@ -136,8 +126,8 @@ void TheBiasOfATorusIsOfTheFourthOrder()
   }
 }
 
-/** Weights th of height noise sigma leave sigma sqrt(sum th^2) / sum th: for (1 - r^2)^4 up to R
- * that is sigma s 5 / (3 R sqrt(pi)), which for R = 2.2 h is 0.43 sigma s / h. */
+/** Weights th of height noise sigma leave sigma sqrt(sum th^2) / sum th: for (1 - r^2)^3 up to R
+ * that is sigma s 4 / (R sqrt(7 pi)), which for R = 2 h is 0.43 sigma s / h. */
 void NoiseIsAveragedAsPredicted()
 {
   std::mt19937 random(2);
@@ -162,7 +152,7 @@ void NoiseIsAveragedAsPredicted()
       made.Surface->Project(x, near);
       squares += x[2] * x[2];
     }
-    const double predicted = 0.5 * s * 5.0 / (3.0 * 2.2 * widths * std::sqrt(clouds::Pi));
+    const double predicted = 0.5 * s * 4.0 / (2.0 * widths * std::sqrt(7.0 * clouds::Pi));
     CHECK(std::abs(std::sqrt(squares / count) / predicted - 1.0) < 0.15);
   }
 }

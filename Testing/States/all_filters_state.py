@@ -72,15 +72,6 @@ elephantvtk = LegacyVTKReader(registrationName='elephant.vtk', FileNames=['data/
 check = SurfaceCheck(registrationName='Check', Input=elephantvtk)
 check.SelfIntersections = 0
 
-# create a new 'Transform'
-screw = Transform(registrationName='Screw', Input=screwstep)
-screw.Transform = 'Transform'
-
-# init the 'Transform' selected for 'Transform'
-screw.Transform.Translate = [0.7607, -0.73, -0.0356]
-screw.Transform.Rotate = [-90.0, 0.0, 0.0]
-screw.Transform.Scale = [0.0425, 0.0425, 0.0425]
-
 # create a new 'Surface Boolean'
 drilled = SurfaceBoolean(registrationName='Drilled', Input=elephantvtk,
     Tool=tool)
@@ -110,6 +101,15 @@ slices = ClosedSurfaceCut(registrationName='Slices', Input=drilled)
 slices.Normal = [1.0, 0.0, 0.0]
 slices.Offsets = [-0.1, 0.0, 0.1, 0.2]
 slices.Triangulate = 0
+
+# create a new 'Transform'
+screw = Transform(registrationName='Screw', Input=screwstep)
+screw.Transform = 'Transform'
+
+# init the 'Transform' selected for 'Transform'
+screw.Transform.Translate = [0.7607, -0.73, -0.0356]
+screw.Transform.Rotate = [-90.0, 0.0, 0.0]
+screw.Transform.Scale = [0.0425, 0.0425, 0.0425]
 
 # create a new 'Surface Intersection'
 seam = SurfaceIntersection(registrationName='Seam', Input=elephantvtk,
@@ -494,7 +494,7 @@ meanCurvatureTF2D = GetTransferFunction2D('MeanCurvature')
 meanCurvatureLUT = GetColorTransferFunction('MeanCurvature')
 meanCurvatureLUT.AutomaticRescaleRangeMode = 'Never'
 meanCurvatureLUT.TransferFunction2D = meanCurvatureTF2D
-meanCurvatureLUT.RGBPoints = [-12.024367564653812, 0.231373, 0.298039, 0.752941, 6.09175799515069, 0.865003, 0.865003, 0.865003, 24.207883554955192, 0.705882, 0.0156863, 0.14902]
+meanCurvatureLUT.RGBPoints = [-11.054431936590571, 0.231373, 0.298039, 0.752941, 6.9614629279342815, 0.865003, 0.865003, 0.865003, 24.977357792459134, 0.705882, 0.0156863, 0.14902]
 meanCurvatureLUT.ScalarRangeInitialized = 1.0
 
 # trace defaults for the display properties.
@@ -509,11 +509,11 @@ skin_1Display.Position = [0.0, -2.6, 0.0]
 skin_1Display.OSPRayScaleArray = 'GaussCurvature'
 skin_1Display.OSPRayScaleFunction = 'PiecewiseFunction'
 skin_1Display.SelectOrientationVectors = 'None'
-skin_1Display.ScaleFactor = 0.0986331164787892
+skin_1Display.ScaleFactor = 0.09855957225418283
 skin_1Display.SelectScaleArray = 'GaussCurvature'
 skin_1Display.GlyphType = 'Arrow'
 skin_1Display.GlyphTableIndexArray = 'GaussCurvature'
-skin_1Display.GaussianRadius = 0.004931655823939459
+skin_1Display.GaussianRadius = 0.004927978612709141
 skin_1Display.SetScaleArray = ['POINTS', 'GaussCurvature']
 skin_1Display.ScaleTransferFunction = 'PiecewiseFunction'
 skin_1Display.OpacityArray = ['POINTS', 'GaussCurvature']
@@ -524,10 +524,10 @@ skin_1Display.SelectInputVectors = ['POINTS', 'Normals']
 skin_1Display.WriteLog = ''
 
 # init the 'PiecewiseFunction' selected for 'ScaleTransferFunction'
-skin_1Display.ScaleTransferFunction.Points = [-716.9113153416905, 0.0, 0.5, 0.0, 556.4908035322452, 1.0, 0.5, 0.0]
+skin_1Display.ScaleTransferFunction.Points = [-664.1981173779839, 0.0, 0.5, 0.0, 540.3644544826818, 1.0, 0.5, 0.0]
 
 # init the 'PiecewiseFunction' selected for 'OpacityTransferFunction'
-skin_1Display.OpacityTransferFunction.Points = [-716.9113153416905, 0.0, 0.5, 0.0, 556.4908035322452, 1.0, 0.5, 0.0]
+skin_1Display.OpacityTransferFunction.Points = [-664.1981173779839, 0.0, 0.5, 0.0, 540.3644544826818, 1.0, 0.5, 0.0]
 
 # init the 'PolarAxesRepresentation' selected for 'PolarAxes'
 skin_1Display.PolarAxes.Translation = [0.0, -2.6, 0.0]
@@ -542,7 +542,7 @@ curvatureTF2D = GetTransferFunction2D('Curvature')
 curvatureLUT = GetColorTransferFunction('Curvature')
 curvatureLUT.AutomaticRescaleRangeMode = 'Never'
 curvatureLUT.TransferFunction2D = curvatureTF2D
-curvatureLUT.RGBPoints = [-22.998421989174847, 0.231373, 0.298039, 0.752941, -7.600592509114277, 0.865003, 0.865003, 0.865003, 7.797236970946294, 0.705882, 0.0156863, 0.14902]
+curvatureLUT.RGBPoints = [-22.180411127024357, 0.231373, 0.298039, 0.752941, -7.652423456875274, 0.865003, 0.865003, 0.865003, 6.875564213273808, 0.705882, 0.0156863, 0.14902]
 curvatureLUT.ScalarRangeInitialized = 1.0
 
 # trace defaults for the display properties.
@@ -557,11 +557,11 @@ ringDisplay.Position = [1.3, -2.6, 0.0]
 ringDisplay.OSPRayScaleArray = 'Curvature'
 ringDisplay.OSPRayScaleFunction = 'PiecewiseFunction'
 ringDisplay.SelectOrientationVectors = 'None'
-ringDisplay.ScaleFactor = 0.03976835051888157
+ringDisplay.ScaleFactor = 0.03961919890488067
 ringDisplay.SelectScaleArray = 'Curvature'
 ringDisplay.GlyphType = 'Arrow'
 ringDisplay.GlyphTableIndexArray = 'Curvature'
-ringDisplay.GaussianRadius = 0.0019884175259440784
+ringDisplay.GaussianRadius = 0.0019809599452440337
 ringDisplay.SetScaleArray = ['POINTS', 'Curvature']
 ringDisplay.ScaleTransferFunction = 'PiecewiseFunction'
 ringDisplay.OpacityArray = ['POINTS', 'Curvature']
@@ -572,10 +572,10 @@ ringDisplay.SelectInputVectors = ['POINTS', 'Normals']
 ringDisplay.WriteLog = ''
 
 # init the 'PiecewiseFunction' selected for 'ScaleTransferFunction'
-ringDisplay.ScaleTransferFunction.Points = [-22.998421989174847, 0.0, 0.5, 0.0, 7.797236970946294, 1.0, 0.5, 0.0]
+ringDisplay.ScaleTransferFunction.Points = [-22.180411127024357, 0.0, 0.5, 0.0, 6.875564213273808, 1.0, 0.5, 0.0]
 
 # init the 'PiecewiseFunction' selected for 'OpacityTransferFunction'
-ringDisplay.OpacityTransferFunction.Points = [-22.998421989174847, 0.0, 0.5, 0.0, 7.797236970946294, 1.0, 0.5, 0.0]
+ringDisplay.OpacityTransferFunction.Points = [-22.180411127024357, 0.0, 0.5, 0.0, 6.875564213273808, 1.0, 0.5, 0.0]
 
 # init the 'PolarAxesRepresentation' selected for 'PolarAxes'
 ringDisplay.PolarAxes.Translation = [1.3, -2.6, 0.0]
@@ -595,11 +595,11 @@ knobDisplay.Position = [2.6, -2.6, 0.0]
 knobDisplay.OSPRayScaleArray = 'Normals'
 knobDisplay.OSPRayScaleFunction = 'PiecewiseFunction'
 knobDisplay.SelectOrientationVectors = 'None'
-knobDisplay.ScaleFactor = 0.2679358355052305
+knobDisplay.ScaleFactor = 0.2678228054964595
 knobDisplay.SelectScaleArray = 'SourceId'
 knobDisplay.GlyphType = 'Arrow'
 knobDisplay.GlyphTableIndexArray = 'SourceId'
-knobDisplay.GaussianRadius = 0.013396791775261523
+knobDisplay.GaussianRadius = 0.013391140274822973
 knobDisplay.SetScaleArray = ['POINTS', 'Normals']
 knobDisplay.ScaleTransferFunction = 'PiecewiseFunction'
 knobDisplay.OpacityArray = ['POINTS', 'Normals']
@@ -681,15 +681,20 @@ faceIdPWF = GetOpacityTransferFunction('FaceId')
 faceIdPWF.Points = [0.0, 0.0, 0.5, 0.0, 9.0, 1.0, 0.5, 0.0]
 faceIdPWF.ScalarRangeInitialized = 1
 
+# get opacity transfer function/opacity map for 'Area'
+areaPWF = GetOpacityTransferFunction('Area')
+areaPWF.Points = [0.0036059240712031934, 0.0, 0.5, 0.0, 0.12647779363954176, 1.0, 0.5, 0.0]
+areaPWF.ScalarRangeInitialized = 1
+
 # get opacity transfer function/opacity map for 'PolygonId'
 polygonIdPWF = GetOpacityTransferFunction('PolygonId')
 polygonIdPWF.Points = [0.0, 0.0, 0.5, 0.0, 2.0, 1.0, 0.5, 0.0]
 polygonIdPWF.ScalarRangeInitialized = 1
 
-# get opacity transfer function/opacity map for 'Area'
-areaPWF = GetOpacityTransferFunction('Area')
-areaPWF.Points = [0.0036059240712031934, 0.0, 0.5, 0.0, 0.12647779363954176, 1.0, 0.5, 0.0]
-areaPWF.ScalarRangeInitialized = 1
+# get opacity transfer function/opacity map for 'MeanCurvature'
+meanCurvaturePWF = GetOpacityTransferFunction('MeanCurvature')
+meanCurvaturePWF.Points = [-11.054431936590571, 0.0, 0.5, 0.0, 24.977357792459134, 1.0, 0.5, 0.0]
+meanCurvaturePWF.ScalarRangeInitialized = 1
 
 # get opacity transfer function/opacity map for 'ShellId'
 shellIdPWF = GetOpacityTransferFunction('ShellId')
@@ -698,13 +703,8 @@ shellIdPWF.ScalarRangeInitialized = 1
 
 # get opacity transfer function/opacity map for 'Curvature'
 curvaturePWF = GetOpacityTransferFunction('Curvature')
-curvaturePWF.Points = [-22.998421989174847, 0.0, 0.5, 0.0, 7.797236970946294, 1.0, 0.5, 0.0]
+curvaturePWF.Points = [-22.180411127024357, 0.0, 0.5, 0.0, 6.875564213273808, 1.0, 0.5, 0.0]
 curvaturePWF.ScalarRangeInitialized = 1
-
-# get opacity transfer function/opacity map for 'MeanCurvature'
-meanCurvaturePWF = GetOpacityTransferFunction('MeanCurvature')
-meanCurvaturePWF.Points = [-12.024367564653812, 0.0, 0.5, 0.0, 24.207883554955192, 1.0, 0.5, 0.0]
-meanCurvaturePWF.ScalarRangeInitialized = 1
 
 # get opacity transfer function/opacity map for 'SourceId'
 sourceIdPWF = GetOpacityTransferFunction('SourceId')
