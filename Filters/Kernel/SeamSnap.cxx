@@ -438,8 +438,8 @@ private:
   /** A target in the plane of a triangle may lie beyond the triangle. */
   bool IsOnTool(std::size_t i) const
   {
-    const bool exact = this->Freedoms[i].What != SeamFreedom::Kind::Patch;
-    const double limit = (exact ? 1e-7 : 0.5) * this->Request.Spacing;
+    const bool ofFacets = !this->Request.Tool->Body().HasPatches();
+    const double limit = (ofFacets ? 1e-7 : 0.5) * this->Request.Spacing;
     return this->Request.Tool->Distance(this->Targets[i].Place, limit) < limit;
   }
 

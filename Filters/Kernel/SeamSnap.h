@@ -8,7 +8,7 @@
  * A seam vertex is where a chord of the cloud's mesh meets the tool, and so it is off the cloud's
  * surface by the sagitta of the mesh. It is moved along the tool, by the shortest way, to where the
  * cloud's function is zero: in the plane of its triangle, along an edge of the tool it lies on, or
- * on the exact patch behind the triangle.
+ * on the exact patch behind the triangle, or where two patches meet.
  *
  * Triangles that are thinner than such a move would turn over. So short edges at the seam are
  * collapsed first, under the link condition (Dey, Edelsbrunner, Guha, Nekhayev, Topology preserving
