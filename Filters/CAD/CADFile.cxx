@@ -115,8 +115,8 @@ TopoDS_Shape Sewn(const TopoDS_Shape& shape, const Message_ProgressRange& progre
 
 } // namespace
 
-std::string ReadCADFile(
-  const std::string& name, TopoDS_Shape& shape, const Message_ProgressRange& progress)
+std::string ReadCADFile(const std::string& name, TopoDS_Shape& shape, PartNames& parts,
+  const Message_ProgressRange& progress)
 {
   shape.Nullify();
   if (!std::ifstream(name))
@@ -136,6 +136,10 @@ std::string ReadCADFile(
     STEPControl_Reader reader;
     Interface_Static::SetCVal("xstep.cascade.unit", "MM");
     refusal = Transfer(reader, name, shape, scope.Next());
+    if (refusal.empty())
+    {
+      parts = FindPartNames(reader, shape);
+    }
   }
   if (refusal.empty() && !shape.IsNull() && scope.More() && HasLooseFaces(shape))
   {

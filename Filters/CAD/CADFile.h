@@ -9,6 +9,8 @@
 #ifndef CADFile_h
 #define CADFile_h
 
+#include "PartNames.h"
+
 #include <Message_ProgressRange.hxx>
 #include <TopoDS_Shape.hxx>
 
@@ -21,10 +23,11 @@ namespace sbvtk
  * All that the file shows, assemblies with their parts in place. Faces that the file does not join
  * are sewn, as far as they meet.
  * @param[out] shape null if the file has none
+ * @param[out] parts of a STEP file; nothing of faces that had to be sewn
  * @return empty, or the end of the sentence "The file ..." that says why it cannot be read.
  */
-std::string ReadCADFile(
-  const std::string& name, TopoDS_Shape& shape, const Message_ProgressRange& progress);
+std::string ReadCADFile(const std::string& name, TopoDS_Shape& shape, PartNames& parts,
+  const Message_ProgressRange& progress);
 
 /** Write a STEP file. @return as above. */
 std::string WriteSTEPFile(

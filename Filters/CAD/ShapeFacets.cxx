@@ -196,6 +196,7 @@ public:
     }
     this->Result.Surface.Patches.push_back(std::move(surface.Patch));
     this->Result.SolidOfFace.push_back(face.Solid);
+    this->Result.Faces.push_back(face.Face);
   }
 
 private:

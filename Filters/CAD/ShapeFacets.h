@@ -30,6 +30,7 @@ struct ShapeFacets
   sb::DesignedSurface Surface; ///< triangles point out of solids
   std::vector<double> Normals; ///< of the patches at the points
   std::vector<std::int32_t> SolidOfFace; ///< counted from 0; -1: of none
+  std::vector<TopoDS_Shape> Faces; ///< of each patch, where it came from
   std::int64_t NumberOfSolids = 0;
   std::int64_t NumberOfApproximations = 0; ///< faces that no rational B-spline can be
   std::int64_t NumberOfBareFaces = 0; ///< could not be cut into triangles

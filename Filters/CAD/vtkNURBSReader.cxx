@@ -24,7 +24,9 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkTypeInt32Array.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +64,7 @@ private:
   void MakeFacets();
   void Examine();
   void FillOutput();
+  void AddParts();
   void AddFields();
   void Warn(int status, const std::string& sentence);
   void Check(const sbvtk::CADOutcome& outcome) const;
@@ -73,6 +76,7 @@ private:
   sbvtk::Stopwatch Watch;
   std::vector<sb::StageTime> Times;
   TopoDS_Shape Shape;
+  sbvtk::PartNames Parts;
   sbvtk::ShapeFacets Facets;
   sb::OperandReport Report;
   bool Closed = false;
@@ -89,6 +93,7 @@ void vtkNURBSReader::Run::Execute()
     this->MakeFacets();
     this->Examine();
     this->FillOutput();
+    this->AddParts();
     this->AddFields();
   };
   const auto report = [this](const sbvtk::FilterFailure& failure) {
@@ -144,7 +149,7 @@ void vtkNURBSReader::Run::ReadShape()
   std::string refusal;
   this->Check(
     sbvtk::RunCAD(monitor, 0.0, 1.0, "Read file", [&](const Message_ProgressRange& progress) {
-      refusal = sbvtk::ReadCADFile(this->Reader->FileName, this->Shape, progress);
+      refusal = sbvtk::ReadCADFile(this->Reader->FileName, this->Shape, this->Parts, progress);
     }));
   if (!refusal.empty())
   {
@@ -253,6 +258,40 @@ void vtkNURBSReader::Run::FillOutput()
   cellData->AddArray(sbvtk::ArrayOf<vtkIntArray>("SolidId", 1, solids));
   sbvtk::AttachPatches(this->Output, surface.Patches);
   this->Times.push_back({ "Build output", this->Watch.Lap() });
+}
+
+//------------------------------------------------------------------------------
+void vtkNURBSReader::Run::AddParts()
+{
+  const std::vector<std::int32_t>& faces = this->Facets.Surface.FaceId;
+  std::vector<sbvtk::FaceStyle> styles;
+  bool anyColor = false;
+  for (const TopoDS_Shape& face : this->Facets.Faces)
+  {
+    styles.push_back(this->Parts.Of(face));
+    anyColor = anyColor || styles.back().HasColor;
+  }
+  std::vector<int> parts;
+  std::vector<unsigned char> colors;
+  for (const std::int32_t face : faces)
+  {
+    const sbvtk::FaceStyle& style = styles[static_cast<std::size_t>(face)];
+    parts.push_back(style.Part);
+    for (const std::uint8_t share : style.Color)
+    {
+      colors.push_back(style.HasColor ? share : 255);
+    }
+  }
+  if (!this->Parts.Names.empty()) // an empty array would hide all field data in the window
+  {
+    this->Output->GetCellData()->AddArray(sbvtk::ArrayOf<vtkIntArray>("PartId", 1, parts));
+    sbvtk::AddField<vtkStringArray>(this->Output, "PartNames", this->Parts.Names);
+  }
+  if (anyColor)
+  {
+    this->Output->GetCellData()->AddArray(
+      sbvtk::ArrayOf<vtkUnsignedCharArray>("PartColor", 3, colors));
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -11,13 +11,16 @@
  * Coordinates are in millimetres, whatever the file's unit.
  *
  * The output has the point arrays `UV`, the parameters in the patch of the point's face, and
- * `Normals`; the cell arrays `FaceId` and `SolidId` (-1: a face of no solid). The field arrays
- * `NURBSDegrees`, `NURBSCounts`, `NURBSKnots` and `NURBSPoles` are the patches. Filters of this
- * project take them from there, also after ParaView's Transform. Further field arrays: `Status`
- * (StatusType), `Message`, `Unit`, `NumberOfFaces`, `NumberOfSolids`, `NumberOfApproximatedFaces`,
- * `Closed` (0 or 1), `Volume` and `Area` of the facets, `ChordError`, the largest distance measured
- * between a facet and its patch, `Gap`, the largest between a point and its patch (inside of faces
- * it is zero, on edges as small as the file has joined them), `StageNames` and `StageSeconds`.
+ * `Normals`; the cell arrays `FaceId` and `SolidId` (-1: a face of no solid), and, where a STEP
+ * file names its products or colours them, `PartId`, a place in the field array `PartNames` (one
+ * part for each use of a product; -1: of none), and `PartColor` (red, green, blue; white where the
+ * file has none). Faces that had to be sewn have no part. The field arrays `NURBSDegrees`,
+ * `NURBSCounts`, `NURBSKnots` and `NURBSPoles` are the patches. Filters of this project take them
+ * from there, also after ParaView's Transform. Further field arrays: `Status` (StatusType),
+ * `Message`, `Unit`, `NumberOfFaces`, `NumberOfSolids`, `NumberOfApproximatedFaces`, `Closed` (0 or
+ * 1), `Volume` and `Area` of the facets, `ChordError`, the largest distance measured between a
+ * facet and its patch, `Gap`, the largest between a point and its patch (inside of faces it is
+ * zero, on edges as small as the file has joined them), `StageNames` and `StageSeconds`.
  */
 #ifndef vtkNURBSReader_h
 #define vtkNURBSReader_h

@@ -4,6 +4,7 @@
 
 #include "BorderEdges.h"
 #include "ClosestOnPatch.h"
+#include "CloudMeshRefinement.h"
 #include "Ingest.h"
 #include "MeshParts.h"
 #include "OpenScanBoolean.h"
@@ -63,6 +64,7 @@ public:
       { "Mesh cloud", 0.05, &CloudBooleanRun::MeshCloud },
       { "Check cloud", 0.5, &CloudBooleanRun::CheckCloud },
       { "Refine tool", 0.55, &CloudBooleanRun::RefineTool },
+      { "Refine cloud", 0.58, &CloudBooleanRun::RefineCloud },
       { "Boolean", 0.6, &CloudBooleanRun::Combine }, { "Snap seam", 0.75, &CloudBooleanRun::Snap },
       { "Trace seam", 0.85, &CloudBooleanRun::Trace },
       { "Sort samples", 0.88, &CloudBooleanRun::SortSamples },
@@ -215,6 +217,11 @@ private:
     this->Body = std::move(refined.Surface);
     this->OriginalOfTool = std::move(refined.Original);
     this->Tool.emplace(this->Body, this->Threads);
+  }
+
+  void RefineCloud()
+  {
+    RefineNearTool(this->Scan, this->Surface, *this->Tool, this->Cell, this->Threads, this->Watch);
   }
 
   void Combine()

@@ -12,6 +12,7 @@ namespace
 {
 
 constexpr std::int32_t Dropped = -1;
+constexpr int MostFlips = 8; ///< for one move
 
 /** The cosine between a triangle and a direction; -1 for one without area. */
 double Facing(const std::array<Real3, 3>& corners, const Real3& direction)
@@ -61,10 +62,15 @@ std::vector<std::int32_t> MeshEdit::Neighbours(std::int32_t point) const
   return found;
 }
 
-std::array<Real3, 3> MeshEdit::CornersOf(std::int32_t triangle) const
+/** Of its corners, with `point` at `place`. */
+std::array<Real3, 3> MeshEdit::PlacesOf(
+  std::int32_t triangle, std::int32_t point, const Real3& place) const
 {
   const std::int32_t* const ids = this->Mesh.Corners(triangle);
-  return { this->Mesh.Point(ids[0]), this->Mesh.Point(ids[1]), this->Mesh.Point(ids[2]) };
+  std::array<Real3, 3> places;
+  std::transform(ids, ids + 3, places.begin(),
+    [&](std::int32_t id) { return id == point ? place : this->Mesh.Point(id); });
+  return places;
 }
 
 /** @param exceptWith those with this corner vanish, and do not count */
@@ -79,12 +85,10 @@ std::vector<std::int32_t> MeshEdit::TurningOver(
     {
       continue;
     }
-    const std::array<Real3, 3> before = this->CornersOf(triangle);
-    std::array<Real3, 3> after = before;
-    after[static_cast<std::size_t>(std::find(ids, ids + 3, point) - ids)] = place;
     const Front front = this->FrontOfTriangle(triangle);
-    const double facing = Facing(after, front.Direction);
-    if (facing < front.LeastCosine && facing <= Facing(before, front.Direction))
+    const double facing = Facing(this->PlacesOf(triangle, point, place), front.Direction);
+    if (facing < front.LeastCosine &&
+      facing <= Facing(this->PlacesOf(triangle, point, this->Mesh.Point(point)), front.Direction))
     {
       worse.push_back(triangle);
     }
@@ -109,88 +113,121 @@ bool MeshEdit::Move(std::int32_t point, const Real3& place)
 
 bool MeshEdit::FacesRight(std::int32_t triangle, std::int32_t point, const Real3& place) const
 {
-  const std::int32_t* const ids = this->Mesh.Corners(triangle);
-  std::array<Real3, 3> corners = this->CornersOf(triangle);
-  corners[static_cast<std::size_t>(std::find(ids, ids + 3, point) - ids)] = place;
   const Front front = this->FrontOfTriangle(triangle);
-  return Facing(corners, front.Direction) >= front.LeastCosine;
+  return Facing(this->PlacesOf(triangle, point, place), front.Direction) >= front.LeastCosine;
 }
 
-void MeshEdit::Forget(std::int32_t triangle, std::int32_t point)
+void MeshEdit::SetCorners(std::int32_t triangle, const Corners& corners)
 {
-  std::vector<std::int32_t>& list =
-    this->Incident[static_cast<std::size_t>(this->Zone[static_cast<std::size_t>(point)])];
-  list.erase(std::find(list.begin(), list.end(), triangle));
-}
-
-void MeshEdit::Remember(std::int32_t triangle, std::int32_t point)
-{
-  if (this->IsInZone(point))
+  std::int32_t* const ids = this->Mesh.Triangles.data() + 3 * static_cast<std::size_t>(triangle);
+  for (std::size_t k = 0; k < 3; ++k)
   {
-    this->Incident[static_cast<std::size_t>(this->Zone[static_cast<std::size_t>(point)])].push_back(
-      triangle);
-  }
-}
-
-bool MeshEdit::MoveAcross(std::int32_t point, const Real3& place, const MayFlip& mayFlip)
-{
-  const std::vector<std::int32_t> turning = this->TurningOver(point, place, Dropped);
-  if (turning.size() != 1)
-  {
-    return false;
-  }
-  const std::int32_t t = turning.front();
-  std::int32_t* const ids = this->Mesh.Triangles.data() + 3 * static_cast<std::size_t>(t);
-  const std::ptrdiff_t at = std::find(ids, ids + 3, point) - ids;
-  const std::int32_t a = ids[(at + 1) % 3];
-  const std::int32_t b = ids[(at + 2) % 3];
-  if (!this->IsInZone(a) || !this->IsInZone(b))
-  {
-    return false;
-  }
-  std::vector<std::int32_t> across;
-  for (const std::int32_t other : this->TrianglesAt(a))
-  {
-    const std::int32_t* const its = this->Mesh.Corners(other);
-    if (other != t && std::find(its, its + 3, b) != its + 3)
+    if (this->IsInZone(ids[k]))
     {
-      across.push_back(other);
+      std::vector<std::int32_t>& list =
+        this->Incident[static_cast<std::size_t>(this->Zone[static_cast<std::size_t>(ids[k])])];
+      list.erase(std::find(list.begin(), list.end(), triangle));
+    }
+    if (this->IsInZone(corners[k]))
+    {
+      this->Incident[static_cast<std::size_t>(this->Zone[static_cast<std::size_t>(corners[k])])]
+        .push_back(triangle);
     }
   }
-  if (across.size() != 1 ||
-    this->Mesh.Source[static_cast<std::size_t>(across[0])] !=
-      this->Mesh.Source[static_cast<std::size_t>(t)] ||
-    !mayFlip(t, across[0]))
+  std::copy(corners.begin(), corners.end(), ids);
+}
+
+/** The one other triangle at the edge, or -1. */
+std::int32_t MeshEdit::Across(std::int32_t triangle, std::int32_t a, std::int32_t b) const
+{
+  std::int32_t found = -1;
+  for (const std::int32_t other : this->TrianglesAt(a))
+  {
+    const std::int32_t* const ids = this->Mesh.Corners(other);
+    if (other != triangle && std::find(ids, ids + 3, b) != ids + 3)
+    {
+      if (found >= 0)
+      {
+        return -1;
+      }
+      found = other;
+    }
+  }
+  return found;
+}
+
+/** The edge that is longest with `point` at `place`; a triangle that turns over does so over it. */
+bool MeshEdit::FlipLongestEdge(std::int32_t triangle, std::int32_t point, const Real3& place,
+  const MayFlip& mayFlip, std::vector<Change>& changes)
+{
+  const std::array<Real3, 3> places = this->PlacesOf(triangle, point, place);
+  const auto lengthOf = [&](std::size_t k) {
+    return Length(Difference(places[(k + 1) % 3], places[k]));
+  };
+  std::size_t longest = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+  {
+    longest = lengthOf(k) > lengthOf(longest) ? k : longest;
+  }
+  const std::int32_t* const ids = this->Mesh.Corners(triangle);
+  const Corners corners{ ids[0], ids[1], ids[2] };
+  const std::int32_t a = corners[longest];
+  const std::int32_t b = corners[(longest + 1) % 3];
+  const std::int32_t top = corners[(longest + 2) % 3];
+  const std::int32_t other =
+    this->IsInZone(a) && this->IsInZone(b) ? this->Across(triangle, a, b) : -1;
+  if (other < 0 ||
+    this->Mesh.Source[static_cast<std::size_t>(other)] !=
+      this->Mesh.Source[static_cast<std::size_t>(triangle)])
   {
     return false;
   }
-  const std::int32_t u = across[0];
-  std::int32_t* const others = this->Mesh.Triangles.data() + 3 * static_cast<std::size_t>(u);
-  const std::int32_t c =
-    *std::find_if(others, others + 3, [a, b](std::int32_t id) { return id != a && id != b; });
-  const std::vector<std::int32_t> around = this->Neighbours(point);
-  if (std::binary_search(around.begin(), around.end(), c))
+  const std::int32_t* const its = this->Mesh.Corners(other);
+  const Corners others{ its[0], its[1], its[2] };
+  const std::int32_t bottom = *std::find_if(
+    others.begin(), others.end(), [a, b](std::int32_t id) { return id != a && id != b; });
+  const std::vector<std::int32_t> around =
+    this->IsInZone(top) ? this->Neighbours(top) : std::vector<std::int32_t>{ bottom };
+  if (std::binary_search(around.begin(), around.end(), bottom) ||
+    !mayFlip({ triangle, other, top, bottom }))
   {
     return false;
   }
-  const std::array<std::int32_t, 3> before{ ids[0], ids[1], ids[2] };
-  const std::array<std::int32_t, 3> othersBefore{ others[0], others[1], others[2] };
-  const std::array<std::int32_t, 3> first{ point, a, c };
-  const std::array<std::int32_t, 3> second{ point, c, b };
-  std::copy(first.begin(), first.end(), ids);
-  std::copy(second.begin(), second.end(), others);
-  if (!this->FacesRight(t, point, place) || !this->FacesRight(u, point, place))
-  {
-    std::copy(before.begin(), before.end(), ids);
-    std::copy(othersBefore.begin(), othersBefore.end(), others);
-    return false;
-  }
-  this->Forget(t, b);
-  this->Forget(u, a);
-  this->Remember(t, c);
-  this->Remember(u, point);
-  this->Mesh.SetPoint(point, place);
+  changes.push_back({ triangle, corners });
+  changes.push_back({ other, others });
+  this->SetCorners(triangle, { top, a, bottom });
+  this->SetCorners(other, { top, bottom, b });
   return true;
+}
+
+bool MeshEdit::MoveFlipping(std::int32_t point, const Real3& place, const MayFlip& mayFlip)
+{
+  std::vector<Change> changes;
+  bool done = false;
+  for (int flip = 0; flip <= MostFlips; ++flip)
+  {
+    const std::vector<std::int32_t> turning = this->TurningOver(point, place, Dropped);
+    if (turning.empty())
+    {
+      done = std::all_of(changes.begin(), changes.end(),
+        [&](const Change& change) { return this->FacesRight(change.Triangle, point, place); });
+      break;
+    }
+    if (!this->FlipLongestEdge(turning.front(), point, place, mayFlip, changes))
+    {
+      break;
+    }
+  }
+  if (done)
+  {
+    this->Mesh.SetPoint(point, place);
+    return true;
+  }
+  for (auto change = changes.rbegin(); change != changes.rend(); ++change)
+  {
+    this->SetCorners(change->Triangle, change->Before);
+  }
+  return false;
 }
 
 bool MeshEdit::Collapse(std::int32_t gone, std::int32_t kept)

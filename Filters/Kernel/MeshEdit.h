@@ -54,14 +54,30 @@ public:
   /** Move a point, unless a triangle would turn over or lie across the surface. */
   bool Move(std::int32_t point, const Real3& place);
 
-  using MayFlip = std::function<bool(std::int32_t triangle, std::int32_t other)>;
+  /** An edge that may be replaced by one between `top`, of the triangle, and `bottom`, of the other
+   * one. */
+  struct EdgeToFlip
+  {
+    std::int32_t Triangle;
+    std::int32_t Other;
+    std::int32_t Top;
+    std::int32_t Bottom;
+  };
+  using MayFlip = std::function<bool(const EdgeToFlip& edge)>;
+
+  /** The triangles of a point that would turn over, or lie across the surface, if it were moved. */
+  std::vector<std::int32_t> InTheWay(std::int32_t point, const Real3& place) const
+  {
+    return this->TurningOver(point, place, -1);
+  }
 
   /**
-   * Move a point over the opposite edge of the one triangle that would turn over by that: the edge
-   * is replaced by the other diagonal of its two triangles, if these are of one operand.
-   * @param mayFlip whether two triangles lie in one surface
+   * Move a point although triangles would turn over by that: over and over the longest edge of one
+   * of them is replaced by the other diagonal of its two triangles, until none does. If that cannot
+   * be, nothing is changed.
+   * @param mayFlip is asked about edges between triangles of one operand
    */
-  bool MoveAcross(std::int32_t point, const Real3& place, const MayFlip& mayFlip);
+  bool MoveFlipping(std::int32_t point, const Real3& place, const MayFlip& mayFlip);
 
   /** Move `gone` into `kept`, unless a triangle would turn over or the surface would be pinched. */
   bool Collapse(std::int32_t gone, std::int32_t kept);
@@ -74,10 +90,20 @@ private:
   /** The triangles of the point that would get worse than they may be. */
   std::vector<std::int32_t> TurningOver(
     std::int32_t point, const Real3& place, std::int32_t exceptWith) const;
+  using Corners = std::array<std::int32_t, 3>;
+  /** A triangle and what its corners were. */
+  struct Change
+  {
+    std::int32_t Triangle;
+    Corners Before;
+  };
+  bool FlipLongestEdge(std::int32_t triangle, std::int32_t point, const Real3& place,
+    const MayFlip& mayFlip, std::vector<Change>& changes);
+  std::int32_t Across(std::int32_t triangle, std::int32_t a, std::int32_t b) const;
   bool FacesRight(std::int32_t triangle, std::int32_t point, const Real3& place) const;
-  void Forget(std::int32_t triangle, std::int32_t point);
-  void Remember(std::int32_t triangle, std::int32_t point);
-  std::array<Real3, 3> CornersOf(std::int32_t triangle) const;
+  void SetCorners(std::int32_t triangle, const Corners& corners);
+  std::array<Real3, 3> PlacesOf(
+    std::int32_t triangle, std::int32_t point, const Real3& place) const;
 
   CombinedMesh& Mesh;
   FrontOf FrontOfTriangle;

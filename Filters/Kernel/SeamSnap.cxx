@@ -17,15 +17,16 @@ namespace
 {
 
 constexpr std::int64_t Grain = 64;
-constexpr double ShortEdge = 0.2; ///< in spacings; moves are about a tenth as long
-constexpr double FlatEnough = 0.02; ///< in spacings: how far a collapse may bend the tool
-constexpr double FlatAtLast = 0.1; ///< the same, for what is stuck else
+constexpr double ShortEdge = 0.1; ///< in spacings; moves are about a tenth as long
+constexpr double FlatEnough = 0.005; ///< in spacings: how far a collapse may bend the tool
+constexpr double FlatAtLast = 0.02; ///< the same, for what is stuck else
 constexpr double LongestMove = 1.0; ///< in spacings
 constexpr double ClearedWay = 3.0; ///< in ways of a vertex that is stuck
 /** Cosines between a triangle and its surface. */
 constexpr double LeastFacingOfCloud = 0.1;
 constexpr double LeastFacingOfTool = 0.9;
-constexpr double LeastFacingAtLast = 0.3; ///< of the tool, for what is stuck else
+constexpr double LeastFacingOfEar = 0.9;
+constexpr double LeastFacingAtLast = 0.02; ///< of both, for what is stuck else
 constexpr int MovingPasses = 4;
 constexpr int MostRounds = 4; ///< of the whole, each without what crossed in the one before
 
@@ -138,9 +139,20 @@ public:
 private:
   MeshEdit::Front FrontOf(std::int32_t triangle) const
   {
-    const double ofTool = this->AtLast ? LeastFacingAtLast : LeastFacingOfTool;
+    const bool ofCloud = this->Mesh.Source[static_cast<std::size_t>(triangle)] == 0;
+    const double least = ofCloud ? LeastFacingOfCloud : LeastFacingOfTool;
     return { FrontOfTriangle(this->Mesh, triangle, this->Request),
-      this->Mesh.Source[static_cast<std::size_t>(triangle)] == 0 ? LeastFacingOfCloud : ofTool };
+      ofCloud && this->IsEar(triangle) ? LeastFacingOfEar
+        : this->AtLast                 ? LeastFacingAtLast
+                                       : least };
+  }
+
+  /** Whether all corners are on the seam: of the cloud, such a triangle may come to lie in the
+   * tool. */
+  bool IsEar(std::int32_t triangle) const
+  {
+    const std::int32_t* const ids = this->Mesh.Corners(triangle);
+    return std::all_of(ids, ids + 3, [this](std::int32_t id) { return this->IsOnSeam(id); });
   }
 
   /** The tool's triangles that the pieces around a point are parts of. */
@@ -198,12 +210,26 @@ private:
     return ofCloud == 1 && ofTool == 1;
   }
 
+  /** Whether a point of the seam shapes the tool more than another one does. */
+  bool IsSharper(std::int32_t a, std::int32_t b) const
+  {
+    return this->FreedomOf(a).What > this->FreedomOf(b).What;
+  }
+
+  const SeamFreedom& FreedomOf(std::int32_t point) const
+  {
+    return this
+      ->Freedoms[static_cast<std::size_t>(this->PlaceInSeam[static_cast<std::size_t>(point)])];
+  }
+
   /** Points of the tool may vanish where they do not shape it, those of the seam into others of the
-   * seam only. */
+   * seam only, and not from a crease into a face. */
   bool TryCollapse(std::int32_t gone, std::int32_t kept)
   {
     if (this->IsFrozen(gone) ||
-      (this->IsOnSeam(gone) && !(this->IsOnSeam(kept) && this->IsSeamEdge(gone, kept))) ||
+      (this->IsOnSeam(gone) &&
+        !(this->IsOnSeam(kept) && this->IsSeamEdge(gone, kept) &&
+          (this->AtLast || !this->IsSharper(gone, kept)))) ||
       !this->IsFlatTowards(gone, kept) || this->MakesEar(gone, kept) ||
       !this->Edit.Collapse(gone, kept))
     {
@@ -360,7 +386,7 @@ private:
     }
     for (double share = 1.0; share > 0.2; share *= 0.5)
     {
-      if (this->AtLast && share < 1.0 && this->MoveAcross(i))
+      if (this->AtLast && share < 1.0 && this->MoveFlipping(i))
       {
         return;
       }
@@ -374,22 +400,25 @@ private:
     }
   }
 
-  /** Over an edge of a triangle that is thinner than the way. */
-  bool MoveAcross(std::size_t i)
+  /** Over edges of triangles that are thinner than the way. */
+  bool MoveFlipping(std::size_t i)
   {
-    const bool isMoved = this->Edit.MoveAcross(this->Seam[i], this->Targets[i].Place,
-      [this](std::int32_t t, std::int32_t u) { return this->AreInOneSurface(t, u); });
+    const bool isMoved = this->Edit.MoveFlipping(this->Seam[i], this->Targets[i].Place,
+      [this](const MeshEdit::EdgeToFlip& edge) { return this->MayFlip(edge); });
     this->Done[i] = isMoved ? 1 : this->Done[i];
     this->Touched[static_cast<std::size_t>(this->Seam[i])] |= isMoved ? 1 : 0;
     return isMoved;
   }
 
-  /** Whether the edge between two triangles of one operand does not shape it. */
-  bool AreInOneSurface(std::int32_t t, std::int32_t u) const
+  /** Whether the edge does not shape what it is on. One of the cloud must not be replaced by one
+   * across the tool, from seam to seam. */
+  bool MayFlip(const MeshEdit::EdgeToFlip& edge) const
   {
+    const std::int32_t t = edge.Triangle;
+    const std::int32_t u = edge.Other;
     if (this->Mesh.Source[static_cast<std::size_t>(t)] == 0)
     {
-      return true;
+      return !(this->IsOnSeam(edge.Top) && this->IsOnSeam(edge.Bottom));
     }
     const std::vector<std::int32_t> parents{ this->Mesh.Parent[static_cast<std::size_t>(t)],
       this->Mesh.Parent[static_cast<std::size_t>(u)] };
@@ -409,8 +438,8 @@ private:
   /** A target in the plane of a triangle may lie beyond the triangle. */
   bool IsOnTool(std::size_t i) const
   {
-    const bool exact = this->Freedoms[i].What != SeamFreedom::Kind::Patch;
-    const double limit = (exact ? 1e-7 : 0.5) * this->Request.Spacing;
+    const bool ofFacets = !this->Request.Tool->Body().HasPatches();
+    const double limit = (ofFacets ? 1e-7 : 0.5) * this->Request.Spacing;
     return this->Request.Tool->Distance(this->Targets[i].Place, limit) < limit;
   }
 
@@ -439,8 +468,49 @@ private:
         // At last more of what is short may go than in the beginning.
         this->CollapseAround(this->Seam[i],
           std::max(ClearedWay * way, this->AtLast ? ShortEdge * this->Request.Spacing : 0.0));
+        this->CollapseInTheWay(i);
       }
     }
+  }
+
+  /** What is not on the seam, of triangles that would turn over, goes elsewhere. */
+  void CollapseInTheWay(std::size_t i)
+  {
+    if (this->Edit.IsGone(this->Seam[i]))
+    {
+      return;
+    }
+    for (const std::int32_t t : this->Edit.InTheWay(this->Seam[i], this->Targets[i].Place))
+    {
+      const std::int32_t* const ids = this->Mesh.Corners(t);
+      for (int k = 0; k < 3; ++k)
+      {
+        if (!this->IsOnSeam(ids[k]) && this->CollapseAway(ids[k]))
+        {
+          this->CollapseInTheWay(i);
+          return;
+        }
+      }
+    }
+  }
+
+  /** Collapse a point into the nearest neighbour that it can go into. */
+  bool CollapseAway(std::int32_t point)
+  {
+    if (!this->Edit.IsInZone(point))
+    {
+      return false;
+    }
+    std::vector<std::int32_t> others = this->Edit.Neighbours(point);
+    std::stable_sort(others.begin(), others.end(), [&](std::int32_t a, std::int32_t b) {
+      const Real3 place = this->Mesh.Point(point);
+      return Length(Difference(this->Mesh.Point(a), place)) <
+        Length(Difference(this->Mesh.Point(b), place));
+    });
+    return std::any_of(others.begin(), others.end(), [&](std::int32_t other) {
+      return this->Edit.IsInZone(other) && !this->IsFrozen(other) &&
+        this->TryCollapse(point, other);
+    });
   }
 
   /** What still could not be moved goes into a neighbour that could. */
@@ -558,6 +628,7 @@ SeamSnap SnapSeam(
   std::vector<std::uint8_t> zone(sides.size());
   std::transform(sides.begin(), sides.end(), zone.begin(),
     [](std::uint8_t side) { return static_cast<std::uint8_t>(side == OnSeam ? 1 : 0); });
+  Grow(mesh, zone);
   Grow(mesh, zone);
   std::vector<std::uint8_t> caution(sides.size(), 0);
   SeamSnap snap;

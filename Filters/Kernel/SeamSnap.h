@@ -8,14 +8,15 @@
  * A seam vertex is where a chord of the cloud's mesh meets the tool, and so it is off the cloud's
  * surface by the sagitta of the mesh. It is moved along the tool, by the shortest way, to where the
  * cloud's function is zero: in the plane of its triangle, along an edge of the tool it lies on, or
- * on the exact patch behind the triangle.
+ * on the exact patch behind the triangle, or where two patches meet.
  *
  * Triangles that are thinner than such a move would turn over. So short edges at the seam are
  * collapsed first, under the link condition (Dey, Edelsbrunner, Guha, Nekhayev, Topology preserving
- * edge contraction, 1999), a move is halved or dropped where it turns a triangle over, and a vertex
- * that cannot be moved is collapsed into a neighbour on the seam if that turns nothing over, or
- * moved over an edge, which is then flipped. At last the kernel looks whether the triangles that
- * changed cross others; where they do, all is done again without their vertices.
+ * edge contraction, 1999), a move is halved or dropped where it turns a triangle over, and for a
+ * vertex that cannot be moved the edges in its way are flipped, the points in its way go into
+ * others, or it goes into a neighbour on the seam itself, if that turns nothing over. At last the
+ * kernel looks whether the triangles that changed cross others; where they do, all is done again
+ * with more caution there.
  */
 #ifndef sb_SeamSnap_h
 #define sb_SeamSnap_h

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SeamTarget.h"
 
+#include "ClosestOnPatch.h"
 #include "CommonPoint.h"
 
 #include <algorithm>
@@ -43,6 +44,28 @@ Real3 SharedEdge(const ToolSurface& tool, std::int32_t s, std::int32_t t)
   return length > 0.0 ? Scaled(along, 1.0 / length) : Real3{};
 }
 
+/** A triangle of each of the patches that triangles are on: two, or nothing. */
+std::vector<std::int32_t> OnTwoPatches(
+  const ToolSurface& tool, const std::vector<std::int32_t>& triangles)
+{
+  const DesignedSurface& body = tool.Body();
+  std::vector<std::int32_t> found;
+  for (const std::int32_t t : triangles)
+  {
+    const auto face = [&](std::int32_t s) { return body.FaceId[static_cast<std::size_t>(s)]; };
+    if (!body.HasPatches() || body.FaceId.empty() || face(t) < 0)
+    {
+      return {};
+    }
+    if (std::none_of(
+          found.begin(), found.end(), [&](std::int32_t other) { return face(other) == face(t); }))
+    {
+      found.push_back(t);
+    }
+  }
+  return found.size() == 2 ? found : std::vector<std::int32_t>{};
+}
+
 bool AreOnOnePatch(const ToolSurface& tool, const std::vector<std::int32_t>& triangles)
 {
   const DesignedSurface& body = tool.Body();
@@ -79,6 +102,98 @@ CommonPoint OntoCloudAndLine(const MovingLeastSquares& cloud, const Real3& start
   return reached.Found ? reached : now;
 }
 
+/** The step to where three planes n . x = d meet, if they do not nearly lie along one line. */
+bool StepToThree(const Real3 (&n)[3], const Real3& d, Real3& step)
+{
+  const Real3 crosses[3] = { Cross(n[1], n[2]), Cross(n[2], n[0]), Cross(n[0], n[1]) };
+  const double determinant = Dot(n[0], crosses[0]);
+  step = PlusScaled(PlusScaled(Scaled(crosses[0], d[0]), d[1], crosses[1]), d[2], crosses[2]);
+  step = Scaled(step, determinant != 0.0 ? 1.0 / determinant : 0.0);
+  return std::abs(determinant) > LeastCrossing;
+}
+
+/** The point of the surface on the edge of two patches, by Newton's method for all three. */
+CommonPoint OntoCloudAndCrease(const MovingLeastSquares& cloud, const ToolSurface& tool,
+  const SeamFreedom& crease, const Real3& start, double limit,
+  MovingLeastSquares::Neighbourhood& near)
+{
+  const std::int32_t triangles[2] = { crease.Triangle, crease.OnOtherPatch };
+  PlaceOnPatch on[2];
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    const std::array<double, 2> uv = tool.ParametersOf(triangles[k], start);
+    on[k].U = uv[0];
+    on[k].V = uv[1];
+  }
+  CommonPoint now;
+  now.Point = start;
+  cloud.Gather(start, limit, near);
+  for (int step = 0; step < MostSteps; ++step)
+  {
+    Real3 normals[3];
+    Real3 offsets{};
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      const NURBSSurface& patch = tool.PatchOf(triangles[k]);
+      on[k] = ClosestOnPatchFrom(patch, now.Point, on[k].U, on[k].V);
+      const PatchPoint at = EvaluatePatch(patch, on[k].U, on[k].V, 1);
+      const Real3 across = Cross(at.Du, at.Dv);
+      const double length = Length(across);
+      normals[k] = length > 0.0 ? Scaled(across, 1.0 / length) : Real3{};
+      offsets[k] = Dot(normals[k], Difference(at.Point, now.Point));
+    }
+    now.Surface = cloud.EvaluateNear(now.Point, 1, near);
+    const double steepness = Length(now.Surface.Gradient);
+    if (!now.Surface.IsNear || !(steepness > 0.0))
+    {
+      return now;
+    }
+    normals[2] = Scaled(now.Surface.Gradient, 1.0 / steepness);
+    offsets[2] = -now.Surface.Value / steepness;
+    const double off =
+      std::max({ std::abs(offsets[0]), std::abs(offsets[1]), std::abs(offsets[2]) });
+    now.Found = off < NearlyThere * limit;
+    Real3 way{};
+    if (off == 0.0 || !StepToThree(normals, offsets, way) || !(Length(way) <= limit))
+    {
+      return now;
+    }
+    now.Point = PlusScaled(now.Point, 1.0, way);
+  }
+  return now;
+}
+
+bool HasPatch(const ToolSurface& tool, std::int32_t triangle)
+{
+  const DesignedSurface& body = tool.Body();
+  return body.HasPatches() && body.FaceId[static_cast<std::size_t>(triangle)] >= 0;
+}
+
+/** From a place on a facet, in its plane or on its patch. */
+CommonPoint OntoCloudAndFacet(const MovingLeastSquares& cloud, const ToolSurface& tool,
+  const ToolSurface::Nearest& on, MovingLeastSquares::Neighbourhood& near)
+{
+  if (!HasPatch(tool, on.Triangle))
+  {
+    return OntoCloudAndPlane(cloud, on.Place, tool.Normal(on.Triangle), on.Place, near);
+  }
+  const std::array<double, 2> uv = tool.ParametersOf(on.Triangle, on.Place);
+  return OntoCloudAndPatch(cloud, tool.PatchOf(on.Triangle), uv[0], uv[1], near);
+}
+
+/** Whether a place in a facet's plane is on the tool, or one on a patch within its face. */
+bool IsOnFace(const ToolSurface& tool, const Real3& place, std::int32_t triangle, double limit)
+{
+  const ToolSurface::Nearest nearest = tool.NearestTo(place, limit);
+  if (!HasPatch(tool, triangle))
+  {
+    return nearest.Distance < NearlyThere * limit;
+  }
+  const std::vector<std::int32_t>& faces = tool.Body().FaceId;
+  return nearest.Triangle >= 0 &&
+    faces[static_cast<std::size_t>(nearest.Triangle)] == faces[static_cast<std::size_t>(triangle)];
+}
+
 SeamTarget TargetOf(
   const CommonPoint& found, const Real3& normalOfTool, const Real3& start, double limit)
 {
@@ -107,6 +222,15 @@ SeamFreedom FreedomOn(const ToolSurface& tool, const std::vector<std::int32_t>& 
   if (AreOnOnePatch(tool, triangles))
   {
     freedom.What = SeamFreedom::Kind::Patch;
+    return freedom;
+  }
+  const std::vector<std::int32_t> patches = OnTwoPatches(tool, triangles);
+  if (!patches.empty() &&
+    Length(Cross(tool.Normal(patches[0]), tool.Normal(patches[1]))) > LeastCrossing)
+  {
+    freedom.What = SeamFreedom::Kind::Crease;
+    freedom.Triangle = patches[0];
+    freedom.OnOtherPatch = patches[1];
     return freedom;
   }
   std::vector<std::int32_t> planes; // a triangle of each
@@ -152,6 +276,9 @@ SeamTarget FindSeamTarget(const MovingLeastSquares& cloud, const ToolSurface& to
       found = OntoCloudAndPatch(cloud, tool.PatchOf(freedom.Triangle), uv[0], uv[1], near);
       break;
     }
+    case SeamFreedom::Kind::Crease:
+      found = OntoCloudAndCrease(cloud, tool, freedom, start, limit, near);
+      break;
     case SeamFreedom::Kind::Line:
       found = OntoCloudAndLine(cloud, start, freedom.Direction, limit, near);
       break;
@@ -174,8 +301,8 @@ SeamTarget FindSeamTargetAcross(const MovingLeastSquares& cloud, const ToolSurfa
       break;
     }
     const Real3 normal = tool.Normal(on.Triangle);
-    const CommonPoint found = OntoCloudAndPlane(cloud, on.Place, normal, on.Place, near);
-    if (!found.Found || tool.Distance(found.Point, limit) < NearlyThere * limit)
+    const CommonPoint found = OntoCloudAndFacet(cloud, tool, on, near);
+    if (!found.Found || IsOnFace(tool, found.Point, on.Triangle, limit))
     {
       return TargetOf(found, normal, start, limit);
     }

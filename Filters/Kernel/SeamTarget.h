@@ -24,11 +24,13 @@ struct SeamFreedom
   {
     Plane, ///< of a triangle, or of several in one plane
     Patch, ///< the exact patch behind its triangles
+    Crease, ///< the edge in which two exact patches meet
     Line, ///< an edge between two triangles that are not in one plane
     Fixed ///< a corner of the tool
   } What = Kind::Fixed;
   Real3 Direction{}; ///< the plane's normal, or along the line
   std::int32_t Triangle = -1; ///< one of those it lies on
+  std::int32_t OnOtherPatch = -1; ///< of a crease: one that is on the other patch
 };
 
 /** @param triangles of the tool that the vertex is a corner of pieces of */

@@ -31,7 +31,6 @@ namespace
 
 constexpr double LargestShareOfDoubtful = 0.2;
 constexpr double LargestShareOfTangent = 0.3; ///< of the seam, where it is called coincident
-constexpr double LargestResidual = 1e-6; ///< of the seam, in spacings, that goes without a warning
 
 } // namespace
 
@@ -259,15 +258,16 @@ void vtkPointSetBooleanFilter::Run::Judge()
         sbvtk::Text(2.0 * this->Result.Errors.Sum()) +
         ", or cut with a body that crosses the cloud.");
   }
-  const bool off = this->Result.LargestResidual > LargestResidual * this->Cloud.Spacing;
-  if (off && this->Result.NumberOfBackedOff > 0)
+  const sb::ErrorBudget& errors = this->Result.Errors;
+  if (this->Result.NumberOfBackedOff > 0 && errors.Seam > errors.Sum() - errors.Seam)
   {
     this->Warn(SEAM_NOT_SNAPPED,
       std::to_string(this->Result.NumberOfBackedOff) + " of " +
         std::to_string(this->Result.NumberOfBackedOff + this->Result.NumberOfSnapped) +
         " seam points could not be moved onto both surfaces without turning a triangle over, and "
         "are off by up to " +
-        sbvtk::Text(this->Result.LargestResidual) + " (Residual); choose a smaller CellSize.");
+        sbvtk::Text(errors.Seam) +
+        " (Residual), more than all else in ErrorBudget; choose a smaller CellSize.");
   }
 }
 

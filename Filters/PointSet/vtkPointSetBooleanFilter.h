@@ -98,7 +98,7 @@ public:
     OPEN_SCAN = 41, ///< warning: the scan is not closed, and so is the result
     OPEN_SEAM = 42, ///< warning: the border of the scan crosses the tool
     COINCIDENT = 43, ///< warning: the surfaces nearly coincide somewhere
-    SEAM_NOT_SNAPPED = 44, ///< warning: a part of the seam could not be moved onto both
+    SEAM_NOT_SNAPPED = 44, ///< warning: a part of the seam is farther off than all else
     INEXACT_TOOL = 45, ///< warning: the tool's exact faces are not used
     TOOL_TURNED = 46 ///< warning: the tool was inside out
   };

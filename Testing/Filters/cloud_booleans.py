@@ -6,6 +6,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkCylinderSource, vtkSphereSource
 
 import clouds
@@ -110,6 +112,18 @@ def rod(radius, height, sides=400):
     source.SetResolution(sides)
     source.SetOutputPointsPrecision(1)
     return made(source)
+
+
+def placed(body, at, angle, axis):
+    """Turned about the origin by degrees, then moved there."""
+    transform = vtkTransform()
+    transform.Translate(*at)
+    transform.RotateWXYZ(angle, *axis)
+    moved = vtkTransformPolyDataFilter()
+    moved.SetTransform(transform)
+    moved.SetInputData(body)
+    moved.SetOutputPointsPrecision(1)
+    return made(moved)
 
 
 def ball_cloud(count, radius=1.0):

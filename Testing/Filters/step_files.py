@@ -78,6 +78,18 @@ class StepFile:
         )
         self.add(f"CONTEXT_DEPENDENT_SHAPE_REPRESENTATION({relation},{shape})")
 
+    def paint(self, item, red, green, blue):
+        """Give a solid or a face a colour."""
+        color = self.add(f"COLOUR_RGB('',{red!r},{green!r},{blue!r})")
+        filling = self.add(f"FILL_AREA_STYLE_COLOUR('',{color})")
+        fill = self.add(f"FILL_AREA_STYLE('',({filling}))")
+        area = self.add(f"SURFACE_STYLE_FILL_AREA({fill})")
+        side = self.add(f"SURFACE_SIDE_STYLE('',({area}))")
+        usage = self.add(f"SURFACE_STYLE_USAGE(.BOTH.,{side})")
+        assignment = self.add(f"PRESENTATION_STYLE_ASSIGNMENT(({usage}))")
+        styled = self.add(f"STYLED_ITEM('color',({assignment}),{item})")
+        self.add(f"MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION('',({styled}),{self.context})")
+
     def write(self, path):
         data = "\n".join(f"#{i + 1}={text};" for i, text in enumerate(self.lines))
         path.write_text(

@@ -99,6 +99,42 @@ def test_assemblies_have_their_parts_in_place(tmp_path):
     assert cad.distances_to_patches(result).max() < 1e-14 * diagonal(result)
 
 
+def test_parts_have_their_names_and_colours(tmp_path):
+    step = step_files.StepFile()
+    face = step_files.sphere_face(step, 1.0)
+    painted, rod = step.solid(face), step_files.cylinder(step, 0.5, 2.0)
+    step.paint(painted, 1.0, 0.0, 0.0)
+    step.paint(face, 0.0, 0.2, 1.0)  # of the face itself, which goes before that of its solid
+    ball, pin = step.product(painted, name="ball"), step.product(rod, name="pin")
+    origin = step.axes()
+    whole = step.product(origin, kind="SHAPE_REPRESENTATION", name="whole")
+    for x, part in ((10.0, ball), (20.0, pin), (40.0, ball)):
+        step.place(whole, part, origin, step.axes((x, 0, 5), (1, 0, 0), (0, 1, 0)))
+    result = cad.read(step.write(tmp_path / "whole.stp"))
+    assert result.status == OK and sorted(result.field_data["PartNames"]) == ["ball", "ball", "pin"]
+    part, color = result.cell_data["PartId"], result.cell_data["PartColor"]
+    assert np.array_equal(np.unique(part), [0, 1, 2])
+    middles = result.body.points[result.body.triangles].mean(axis=1)
+    for number, name in enumerate(result.field_data["PartNames"]):
+        of_part = part == number
+        assert len(np.unique(result.cell_data["SolidId"][of_part])) == 1
+        near_pin = np.abs(middles[of_part][:, 0] - 20) < 3
+        assert near_pin.all() if name == "pin" else not near_pin.any()
+        assert np.all(color[of_part] == ([255, 255, 255] if name == "pin" else [0, 51, 255]))
+
+
+def test_a_file_without_names_or_colours_has_no_arrays_for_them():
+    result = cad.read(f"{cad.SAMPLES}/iges/hammer.iges", ChordError=1e-3)
+    assert result.status == OK and "PartNames" not in result.field_data
+    assert "PartId" not in result.cell_data and "PartColor" not in result.cell_data
+
+
+def test_a_real_part_has_its_name():
+    result = cad.read(f"{cad.SAMPLES}/step/screw.step", ChordError=1e-3)
+    assert list(result.field_data["PartNames"]) == ["the product name"]
+    assert np.all(result.cell_data["PartId"] == 0) and "PartColor" not in result.cell_data
+
+
 # Volume and area by Open CASCADE's own integration (BRepGProp) over the exact faces of these files.
 REAL = {
     "step/linkrods.step": dict(faces=37, solids=1, volume=3.847, rel=3.5e-3, bound=1e-3),

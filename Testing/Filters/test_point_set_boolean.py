@@ -12,7 +12,7 @@ import measures
 from booleans import arrays_of, bytes_of, cells_of, points_of
 from cloud_booleans import DIFFERENCE, INTERSECTION, OPERATIONS, REVERSE_DIFFERENCE, UNION, run
 
-OK = 0
+OK, NO_OVERLAP, COINCIDENT = 0, 40, 43
 BALL = 4 / 3 * np.pi
 CAP = np.pi * 0.7**2 * (3 - 0.7) / 3  # of the unit ball beyond x = 0.3
 BOX = 1.7 * 16
@@ -129,7 +129,7 @@ def test_a_ball_and_a_finely_tessellated_ball():
     tool = cloud_booleans.ball([0.9, 0, 0], 0.7, 120)
     for operation in OPERATIONS:
         result = run(cloud_booleans.ball_cloud(8000), tool, operation)
-        assert result.status in (OK, 44) and measures.is_closed(result.body)
+        assert result.status == OK and measures.is_closed(result.body)
         assert result.number("NumberOfFlippedTriangles") == 0
         distance, big, small = 0.9, 1.0, 0.7
         lens = (
@@ -142,13 +142,49 @@ def test_a_ball_and_a_finely_tessellated_ball():
         assert abs(result.volume - exact) < budget_of(result, 4 * np.pi) + 0.002
 
 
+def random_body(rng, size, at):
+    """A ball, a box, a slender prism or a flat drum, turned anyhow."""
+    r = size * rng.uniform(0.04, 0.25)
+    makers = [
+        lambda: cloud_booleans.ball([0, 0, 0], r, 4 * int(rng.integers(4, 20))),
+        lambda: cloud_booleans.box(-r * rng.uniform(0.3, 1, 3), r * rng.uniform(0.3, 1, 3)),
+        lambda: cloud_booleans.rod(r * rng.uniform(0.2, 1), 2 * r, int(rng.integers(3, 60))),
+        lambda: cloud_booleans.rod(r, r * rng.uniform(0.2, 1), int(rng.integers(20, 200))),
+    ]
+    return cloud_booleans.placed(makers[rng.integers(4)](), at, rng.uniform(0, 360), rng.normal(size=3))
+
+
+def test_random_bodies_anywhere_at_a_cloud():
+    """Creases that graze the cloud and facets that nearly lie in it included: nothing turns over, nothing crosses,
+    and hardly a point of the seam is off."""
+    rng = np.random.default_rng(8)
+    points, normals = clouds.torus(8000, rng)
+    spacing = np.sqrt(4 * np.pi**2 * 0.4 / 8000)
+    noisy = points + 0.2 * spacing * rng.normal(size=(len(points), 1)) * normals
+    scans = [(noisy, normals), clouds.sphere(6000), clouds.cgal_cloud("kitten.xyz")]
+    staying = seams = 0
+    for trial in range(36):
+        where, turned = scans[trial % 3]
+        size = np.linalg.norm(np.ptp(where, axis=0))
+        at = where[rng.integers(len(where))] + 0.05 * size * rng.normal(size=3)
+        result = run(clouds.cloud(where, turned), random_body(rng, size, at), OPERATIONS[trial % 4])
+        assert not result.errors and measures.is_closed(result.body), trial
+        assert result.number("NumberOfFlippedTriangles") == result.number("NumberOfSelfIntersections") == 0, trial
+        assert result.number("NumberOfBorderEdges") == result.number("NumberOfSeamEnds") == 0, trial
+        assert result.status in (OK, NO_OVERLAP, COINCIDENT), (trial, result.message)
+        assert result.number("SeamResidual") <= 0.5 * result.number("ErrorBudget"), trial
+        staying += result.number("NumberOfBackedOffPoints") > 0
+        seams += result.number("NumberOfSnappedPoints") > 0
+    assert seams >= 30 and staying <= 2
+
+
 def test_volumes_of_union_and_intersection_add_up():
     cloud, tool = cloud_booleans.ball_cloud(8000), cloud_booleans.box(*BOX_AT)
     results = {operation: run(cloud, tool, operation) for operation in OPERATIONS}
     a, b = results[UNION].number("CloudVolume"), results[UNION].number("ToolVolume")
     v = {operation: result.volume for operation, result in results.items()}
-    # Only the seam is moved differently: by its chords, along its length.
-    rim = 2 * np.pi * results[UNION].number("CellSize") * results[UNION].number("ErrorBudget")
+    # Only near the seam there are other chords: within a cell on both sides, along its length.
+    rim = 4 * np.pi * results[UNION].number("CellSize") * results[UNION].number("ErrorBudget")
     assert abs(v[UNION] + v[INTERSECTION] - a - b) < rim
     assert abs(v[DIFFERENCE] + v[INTERSECTION] - a) < rim
     assert abs(v[REVERSE_DIFFERENCE] + v[INTERSECTION] - b) < rim

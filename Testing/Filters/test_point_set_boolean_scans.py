@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
+import cad
 import cloud_booleans
 import clouds
 import measures
@@ -74,8 +75,23 @@ def test_a_scanned_cat_and_a_screw_with_its_exact_faces(height, staying):
     assert np.array_equal(face >= 0, source == 1)
     uv = result.point_data["UV"]
     assert np.array_equal(np.isfinite(uv[:, 0]), np.isin(np.arange(len(uv)), result.body.triangles[source == 1]))
-    assert "NURBSPoles" in result.field_data
+    # The seam is on the exact faces, on both of them where it crosses an edge.
+    off = distances_to_faces(result)
+    assert len(off) > 300 and np.mean(off > 1e-7) < 0.02 and off.max() < 0.01
     assert np.all(np.isfinite(arrays_of(result.curves.GetPointData())["UV"]))
+
+
+def distances_to_faces(result):
+    """Of the seam's points on exact faces, from the point of the face at their u and v, in spacings."""
+    face, patches = np.full(len(result.body.points), -1), cad.Patches(result.field_data)
+    face[result.body.triangles] = result.cell_data["FaceId"][:, None]
+    of_seam = (result.point_data["SeamPoint"] == 1) & (face >= 0)
+    off = []
+    for number in np.unique(face[of_seam]):
+        at = of_seam & (face == number)
+        there = patches.points(number, result.point_data["UV"][at])
+        off.append(np.linalg.norm(there - result.body.points[at], axis=1))
+    return np.concatenate(off) / result.number("Spacing")
 
 
 # ---- open scans --------------------------------------------------------------------------------

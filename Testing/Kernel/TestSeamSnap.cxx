@@ -142,17 +142,17 @@ void AnEdgeInTheWayIsFlipped()
     return mesh;
   };
   const auto upwards = [](std::int32_t) { return sb::MeshEdit::Front{ { 0, 0, 1 }, 0.5 }; };
-  const auto any = [](std::int32_t, std::int32_t) { return true; };
-  const auto none = [](std::int32_t, std::int32_t) { return false; };
+  const auto any = [](const sb::MeshEdit::EdgeToFlip&) { return true; };
+  const auto none = [](const sb::MeshEdit::EdgeToFlip&) { return false; };
   const sb::Real3 place{ 0.0, 0.1, 0.0 };
   const std::vector<std::uint8_t> zone(5, 1);
   sb::CombinedMesh mesh = square();
   sb::MeshEdit edit(mesh, zone, upwards);
   CHECK(!edit.Move(0, place));
-  CHECK(!edit.MoveAcross(0, place, none));
-  CHECK(!edit.MoveAcross(0, { 0.0, 1.1, 0.0 }, any)); // beyond both triangles
+  CHECK(!edit.MoveFlipping(0, place, none));
+  CHECK(!edit.MoveFlipping(0, { 0.0, 1.1, 0.0 }, any)); // beyond both triangles
   CHECK(mesh.Triangles == square().Triangles && mesh.Points == square().Points);
-  CHECK(edit.MoveAcross(0, place, any));
+  CHECK(edit.MoveFlipping(0, place, any));
   CHECK(mesh.Point(0) == place);
   CHECK_EQUAL(edit.TrianglesAt(0).size(), std::size_t(4));
   CHECK_EQUAL(edit.TrianglesAt(1).size(), std::size_t(2));
@@ -168,7 +168,38 @@ void AnEdgeInTheWayIsFlipped()
   sb::CombinedMesh ofTwo = square();
   ofTwo.Source[1] = 1; // the edge is the seam
   sb::MeshEdit seam(ofTwo, zone, upwards);
-  CHECK(!seam.MoveAcross(0, place, any));
+  CHECK(!seam.MoveFlipping(0, place, any));
+}
+
+/** A point that moves behind its neighbour, away from the edge to the one behind that. */
+void AnEdgeOfThePointIsFlippedToo()
+{
+  sb::CombinedMesh mesh;
+  mesh.Points = { 0, 0, 0, 1, -0.1, 0, 2, 0, 0, 1, 1, 0 };
+  mesh.Triangles = { 0, 1, 2, 0, 2, 3 };
+  mesh.OriginalPoint = { 0, 1, 2, 3 };
+  mesh.PointSource.assign(4, 0);
+  mesh.Source.assign(2, 0);
+  mesh.Parent.assign(2, 0);
+  mesh.Reversed.assign(2, 0);
+  mesh.Confidence.assign(2, 1.0);
+  sb::MeshEdit edit(mesh, std::vector<std::uint8_t>(4, 1), [](std::int32_t) {
+    return sb::MeshEdit::Front{ { 0, 0, 1 }, 0.5 };
+  });
+  const sb::Real3 place{ 0.0, -0.3, 0.0 };
+  CHECK_EQUAL(edit.InTheWay(0, place).size(), std::size_t(1));
+  CHECK(!edit.Move(0, place));
+  CHECK(edit.MoveFlipping(0, place,
+    [](const sb::MeshEdit::EdgeToFlip& edge) { return edge.Top == 1 && edge.Bottom == 3; }));
+  CHECK_EQUAL(edit.TrianglesAt(0).size(), std::size_t(1));
+  CHECK_EQUAL(edit.TrianglesAt(1).size(), std::size_t(2));
+  for (std::int32_t t = 0; t < 2; ++t)
+  {
+    const std::int32_t* const ids = mesh.Corners(t);
+    const sb::Real3 a = mesh.Point(ids[0]);
+    CHECK(sb::Cross(
+            sb::Difference(mesh.Point(ids[1]), a), sb::Difference(mesh.Point(ids[2]), a))[2] > 0.0);
+  }
 }
 
 /** Two pyramids on one square, whose middle edge can be collapsed, and whose rim cannot. */
@@ -251,6 +282,7 @@ int main()
   TheSeamLiesOnBoth();
   OpenToolsAreRefused();
   AnEdgeInTheWayIsFlipped();
+  AnEdgeOfThePointIsFlippedToo();
   CollapsesKeepTheTopology();
   SamplesAreSortedAsTheBoxSays();
   OrientedPointsHaveAWindingNumber();
