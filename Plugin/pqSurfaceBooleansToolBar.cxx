@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqSurfaceBooleansToolBar.h"
 
+#include "HelpPages.h"
 #include "PythonRecipe.h"
 #include "RecipeInputs.h"
 
@@ -84,6 +85,7 @@ pqSurfaceBooleansToolBar::pqSurfaceBooleansToolBar(QWidget* parent)
     window->addToolBarBreak(); // beside ParaView's own toolbars most buttons would not be seen
   }
   findPythonPackage();
+  registerHelpPages();
   for (const Button& button : buttons)
   {
     if (!button.filter)
