@@ -11,9 +11,12 @@ add_custom_command(OUTPUT "${pages}/index.html"
     "${pages}" "${CMAKE_CURRENT_SOURCE_DIR}/Help" ${xml_files}
   DEPENDS help_pages.py ${xml_files} ${pictures}
   COMMENT "Writing the pages of the help")
+# The namespace is the host of the pages' addresses, which Qt 6 looks up in small letters.
 paraview_client_generate_help(
   NAME SurfaceBooleans
   TARGET SurfaceBooleans_qch
+  NAMESPACE surfacebooleans.org
+  FOLDER surfacebooleans
   OUTPUT_DIR "${pages}"
   OUTPUT_PATH help_file
   PATTERNS "*.html" "*.png"

@@ -58,6 +58,9 @@ const Button buttons[] = {
   { "ShowTool", "Show Tool",
     "Show the Tool of the selected filter, seen through, or hide it again.", "ShowTool",
     "show_tool()", nullptr, 0, any },
+  { "Blocks", "Blocks",
+    "Colour the selected result by the blocks that its parts come from, with their names.",
+    "Blocks", "blocks()", nullptr, 0, any },
 };
 
 void run(const Button& button)
@@ -86,12 +89,14 @@ pqSurfaceBooleansToolBar::pqSurfaceBooleansToolBar(QWidget* parent)
   }
   findPythonPackage();
   registerHelpPages();
+  bool makesFilters = true;
   for (const Button& button : buttons)
   {
-    if (!button.filter)
+    if (makesFilters && !button.filter)
     {
       this->addSeparator();
     }
+    makesFilters = button.filter != nullptr;
     auto* action = this->addAction(
       QIcon(QString(":/SurfaceBooleans/Icons/%1.svg").arg(button.icon)), button.text);
     action->setObjectName(button.name);
