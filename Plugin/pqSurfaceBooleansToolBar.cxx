@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqSurfaceBooleansToolBar.h"
 
+#include "HelpPages.h"
 #include "PythonRecipe.h"
 #include "RecipeInputs.h"
 
@@ -57,6 +58,9 @@ const Button buttons[] = {
   { "ShowTool", "Show Tool",
     "Show the Tool of the selected filter, seen through, or hide it again.", "ShowTool",
     "show_tool()", nullptr, 0, any },
+  { "Blocks", "Blocks",
+    "Colour the selected result by the blocks that its parts come from, with their names.",
+    "Blocks", "blocks()", nullptr, 0, any },
 };
 
 void run(const Button& button)
@@ -84,12 +88,15 @@ pqSurfaceBooleansToolBar::pqSurfaceBooleansToolBar(QWidget* parent)
     window->addToolBarBreak(); // beside ParaView's own toolbars most buttons would not be seen
   }
   findPythonPackage();
+  registerHelpPages();
+  bool makesFilters = true;
   for (const Button& button : buttons)
   {
-    if (!button.filter)
+    if (makesFilters && !button.filter)
     {
       this->addSeparator();
     }
+    makesFilters = button.filter != nullptr;
     auto* action = this->addAction(
       QIcon(QString(":/SurfaceBooleans/Icons/%1.svg").arg(button.icon)), button.text);
     action->setObjectName(button.name);

@@ -13,8 +13,7 @@ import sys
 
 import surfacebooleans as sb
 from gifti import read_gifti
-from offscreen import actor_of, color_by_source, look, save, side_by_side, text, white_room
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from offscreen import look, result_actor, save, side_by_side, text, white_room
 from vtkmodules.vtkFiltersSources import vtkConeSource, vtkSphereSource
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -42,21 +41,10 @@ def margin():
     return [ball.GetOutput(), way.GetOutput()]
 
 
-def shown(surface):
-    """Red where the cut is, else like tissue; shaded smoothly but for the rim."""
-    normals = vtkPolyDataNormals()
-    normals.SetInputData(surface)
-    normals.SetFeatureAngle(50)
-    actor = actor_of(normals)
-    color_by_source(actor, (TISSUE, CUT))
-    actor.GetProperty().SetSpecular(0.12)
-    actor.GetProperty().SetSpecularPower(20)
-    return actor
-
-
 def room(surface, words):
     volume = surface.GetFieldData().GetArray("ResultVolume").GetValue(0) / 1000
-    return white_room((shown(surface), text(f"{words}: {volume:.1f} ml", 16, 14)), contrast=2)
+    actor = result_actor(surface, (TISSUE, CUT), crease=50)  # smooth but for the rim
+    return white_room((actor, text(f"{words}: {volume:.1f} ml", 16, 14)), contrast=2)
 
 
 def main(folder):

@@ -10,9 +10,8 @@ Seven drills are taken out of the rod by one Boolean; red is what they left.
 import pathlib
 
 import surfacebooleans as sb
-from offscreen import actor_of, color_by_source, look, save, side_by_side, text, white_room
+from offscreen import look, result_actor, save, side_by_side, text, white_room
 from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersSources import vtkCylinderSource
 
@@ -42,20 +41,9 @@ def tools():
     return [*web, drill((3.94, 3.3, 1.72), 0.09), drill((7.7, 3.3, 1.72), 0.09)]
 
 
-def shown(surface):
-    normals = vtkPolyDataNormals()
-    normals.SetInputData(surface)
-    normals.SetFeatureAngle(30)
-    actor = actor_of(normals)
-    color_by_source(actor, (STEEL, CUT))
-    actor.GetProperty().SetSpecular(0.25)
-    actor.GetProperty().SetSpecularPower(25)
-    return actor
-
-
 def room(surface, words):
     volume = surface.GetFieldData().GetArray("ResultVolume").GetValue(0)
-    result = white_room((shown(surface), text(f"{words}: volume {volume:.4f}", 16, 14)), contrast=2)
+    result = white_room((result_actor(surface, (STEEL, CUT), crease=30, specular=0.25), text(f"{words}: volume {volume:.4f}", 16, 14)), contrast=2)
     look(result, (0.5, -1.6, 0.9), zoom=1.12)
     return result
 

@@ -12,7 +12,6 @@ import sys
 
 import numpy as np
 from surfacebooleans.vtk import vtkPolyDataClipClosedSurface
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkOutlineSource
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -22,7 +21,7 @@ import meshes  # noqa: E402
 from booleans import polydata  # noqa: E402
 from clips import plane_collection  # noqa: E402
 from gifti import read_gifti  # noqa: E402
-from offscreen import INK, actor_of, color_cells, look, save, side_by_side, white_room  # noqa: E402
+from offscreen import INK, actor_of, color_cells, look, save, side_by_side, smooth_actor, white_room  # noqa: E402
 
 CELL = 560  # pixels
 BASE, CLIP, ACTIVE = (0.36, 0.56, 0.86), (0.95, 0.60, 0.20), (0.98, 0.85, 0.30)
@@ -44,12 +43,7 @@ def clipped(data, planes, **settings):
 
 def actor(data, smooth=True):
     """Coloured by the array Colors; shaded smoothly but for creases."""
-    if smooth:
-        normals = vtkPolyDataNormals()
-        normals.SetInputData(data)
-        normals.SetFeatureAngle(40)
-        data = normals
-    result = actor_of(data)
+    result = smooth_actor(data, crease=40) if smooth else actor_of(data)
     color_cells(result, "Colors")
     result.GetProperty().SetAmbient(0.25)
     result.GetProperty().SetDiffuse(0.85)

@@ -25,6 +25,8 @@ from demo_scan import SCAN, SCREW, make_body  # noqa: E402
 ELEPHANT_VIEW = ((0.55, 0.35, 1), (0, 1, 0))
 SLANTED_VIEW = ((0.8, -1, 0.7), (0, 0, 1))
 FRONT_VIEW = ((0.25, 0.3, 1), (0, 1, 0))
+INPUT, TOOL, SECOND = [0.45, 0.6, 0.85], [0.9, 0.6, 0.35], [0.75, 0.05, 0.1]
+NO_COLOUR = ("POINTS", None)
 CAT_ON_SCREW = (-0.4, 0.4, -1, 0.4, -0.4, 0.4)  # xmin, xmax, ymin, ymax, zmin, zmax
 
 
@@ -103,7 +105,7 @@ def surface_distance_field(folder):
 
 
 def closed_surface_clip(folder):
-    settings = {"Origin": [0, -0.1, 0], "Normal": [-0.2, 0, -1], "Planes": [0, -0.35, 0, 0, 1, 0.15]}
+    settings = {"Origin": [0, -0.1, 0], "Normal": [-0.2, 0, -1], "Planes": [0, -0.35, 0, 0, 1, 0.15], "fit": 0.9}
     return Scene({"Input": elephant(folder)}, ELEPHANT_VIEW, ("CELLS", "SourceId"), **settings)
 
 
@@ -168,3 +170,41 @@ SCENES = {
     "PointSetBoolean": point_set_boolean,
     "NURBSReader": nurbs_reader,
 }
+
+
+def look_from(view, scene):
+    direction, up = scene.view
+    view.CameraFocalPoint = [0, 0, 0]
+    view.CameraPosition = list(direction)
+    view.CameraViewUp = list(up)
+    if scene.near:
+        view.SMProxy.ResetCamera(scene.near)
+    else:
+        view.CameraParallelProjection = 1
+        simple.ResetCamera(view)
+        view.CameraParallelScale *= scene.fit
+
+
+def show_inputs(view, scene, opacity=1):
+    for name, source in scene.inputs.items():
+        display = simple.Show(source, view)
+        simple.ColorBy(display, NO_COLOUR)
+        display.DiffuseColor = display.AmbientColor = TOOL if name == "Tool" else INPUT
+        display.Opacity = opacity
+        display.LineWidth, display.RenderLinesAsTubes = 3, 1
+        display.PointSize = 3
+
+
+def show_result(view, scene, result):
+    for port, representation in scene.shown:
+        display = simple.Show(simple.OutputPort(result, port), view)
+        display.Representation = representation
+        display.LineWidth, display.PointSize, display.RenderLinesAsTubes = 4, 3, 1
+        colour = scene.colour if port == scene.shown[0][0] else None
+        simple.ColorBy(display, colour or NO_COLOUR)
+        if colour:
+            display.SetScalarBarVisibility(view, False)
+        else:
+            display.DiffuseColor = display.AmbientColor = SECOND
+    if scene.context:
+        show_inputs(view, scene, opacity=0.2)

@@ -2,8 +2,9 @@
 # SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# What `make screenshots` runs, after the demos: draws every picture of this folder anew. The brain's surfaces are those
-# that nilearn comes with; it is installed into the build folder. Look at each picture before you commit it.
+# What `make screenshots` runs, after the demos: draws every picture of this folder and of the help anew. The brain's
+# surfaces are those that nilearn comes with; it is installed into the build folder. The windows need imagemagick and
+# python3-pyqt5. Look at each picture before you commit it.
 set -eu
 
 here=$(dirname "$(readlink -f "$0")")
@@ -22,4 +23,9 @@ for script in "$here"/*.py; do
 done
 cp "$build/demo/drilled_elephant.png" "$here/demo.png"
 cp "$build/demo/cat_screw.png" "$here/scan_demo.png"
+echo windows
 "$here/panel.sh" "$build/demo"
+"$here/window.sh"
+"$here/panels.sh"
+echo help_pictures
+xvfb-run -a -s "-noreset" pvpython "$here/help_pictures.py"

@@ -14,7 +14,7 @@ import sys
 import numpy as np
 import surfacebooleans as sb
 from gifti import read_gifti
-from offscreen import actor_of, color_by_source, look, save, side_by_side, white_room
+from offscreen import look, result_actor, save, side_by_side, white_room
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkReverseSense
 from vtkmodules.vtkFiltersSources import vtkPlatonicSolidSource
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -22,7 +22,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 HERE = pathlib.Path(__file__).resolve().parent
 GREY, GREY_CUT = (0.83, 0.66, 0.62), (0.72, 0.34, 0.32)
 WHITE, WHITE_CUT = (0.95, 0.94, 0.90), (0.90, 0.89, 0.85)
-CENTER, RADIUS = np.array((-34.0, -18.0, 14.0)), 29.0  # mm; of the ball that all planes touch
+CREASE = 40  # degrees: less than between the icosahedron's faces
+CENTER, RADIUS = np.array((-44.0, -20.0, 18.0)), 29.0  # mm; of the ball that all planes touch
 
 
 def planes():
@@ -50,19 +51,12 @@ def matter(folder):
     return both.GetOutput(), inner
 
 
-def shown(surface, colors):
-    actor = actor_of(surface)
-    color_by_source(actor, colors)
-    actor.GetProperty().SetAmbient(0.12)
-    return actor
-
-
 def main(folder):
     grey, white = matter(folder)
     rooms = []
     for inside_out in (False, True):
         parts = [sb.clip(part, planes(), inside_out=inside_out) for part in (grey, white)]
-        actors = [shown(parts[0], (GREY, GREY_CUT)), shown(parts[1], (WHITE, WHITE_CUT))]
+        actors = [result_actor(parts[0], (GREY, GREY_CUT), CREASE, 0), result_actor(parts[1], (WHITE, WHITE_CUT), CREASE, 0)]
         rooms.append(white_room(actors, contrast=2))
         look(rooms[-1], (-2.2, -1.3, 1.2), zoom=1.2)
     save(HERE / "many_planes.png", side_by_side(rooms), (1240, 560))

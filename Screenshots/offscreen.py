@@ -4,6 +4,8 @@
 
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  (the fonts)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the renderer)
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkGlyph3D, vtkPolyDataNormals
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -18,13 +20,18 @@ from vtkmodules.vtkRenderingCore import (
 INK = (0.12, 0.14, 0.18)
 
 
+def connected(consumer, source, port=0):
+    """A mapper or filter, of a vtkPolyData or of a filter's output."""
+    if source.IsA("vtkDataObject"):
+        consumer.SetInputData(source)
+    else:
+        consumer.SetInputConnection(source.GetOutputPort(port))
+    return consumer
+
+
 def actor_of(source, color=None, port=0):
     """An actor of a vtkPolyData or of a filter's output, in one colour; without one, the mapper is the caller's to set."""
-    mapper = vtkPolyDataMapper()
-    if source.IsA("vtkDataObject"):
-        mapper.SetInputData(source)
-    else:
-        mapper.SetInputConnection(source.GetOutputPort(port))
+    mapper = connected(vtkPolyDataMapper(), source, port)
     actor = vtkActor()
     actor.SetMapper(mapper)
     if color is not None:
@@ -51,6 +58,46 @@ def color_by_source(actor, colors):
     mapper.SetScalarModeToUseCellFieldData()
     mapper.SelectColorArray("SourceId")
     mapper.SetScalarRange(0, len(colors) - 1)
+
+
+def smooth_actor(source, crease):
+    """Shaded smoothly but for creases sharper than that, in degrees."""
+    normals = connected(vtkPolyDataNormals(), source)
+    normals.SetFeatureAngle(crease)
+    return actor_of(normals)
+
+
+def result_actor(source, colors, crease, specular=0.15):
+    """A result of Surface Boolean in the colours of its operands, a little shiny."""
+    actor = smooth_actor(source, crease)
+    color_by_source(actor, colors)
+    actor.GetProperty().SetSpecular(specular)
+    actor.GetProperty().SetSpecularPower(25)
+    return actor
+
+
+def crease_actor(source, angle):
+    """A surface's creases and borders, as lines of ink."""
+    creases = connected(vtkFeatureEdges(), source)
+    creases.NonManifoldEdgesOff()
+    creases.SetFeatureAngle(angle)
+    creases.ColoringOff()
+    actor = actor_of(creases, INK)
+    actor.GetProperty().SetLineWidth(2)
+    actor.GetProperty().LightingOff()
+    draw_in_front(actor)
+    return actor
+
+
+def balls(cloud, radius):
+    """A ball at each point."""
+    ball = vtkSphereSource()
+    ball.SetRadius(radius)
+    each = vtkGlyph3D()
+    each.SetInputData(cloud)
+    each.SetSourceConnection(ball.GetOutputPort())
+    each.ScalingOff()
+    return each
 
 
 def draw_in_front(actor):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of every filter's panel, and of the window with it; panels.sh runs this in ParaView's own Python.
+"""Pictures of the window with every filter's panel; panels.sh runs this in ParaView's own Python.
 
 PyQt5 (Debian: python3-pyqt5) reaches the widgets of the window that this runs in.
 """
@@ -18,7 +18,7 @@ import filter_scenes
 
 FOLDER = pathlib.Path(os.environ["SCREENSHOT_FOLDER"])
 MESHES = pathlib.Path(os.environ["SCREENSHOT_MESHES"])
-PANEL_WIDTH = 430  # pixels
+PANEL_WIDTH, BROWSER_HEIGHT = 400, 130  # pixels
 
 
 def main_window():
@@ -61,31 +61,9 @@ def apply():
     settle()
 
 
-def show_advanced(wanted):
-    button = widget("AdvancedButton", widget("propertiesPanel"))
-    if button.isChecked() != wanted:
-        button.click()
-    settle()
-
-
-def save_window(path, part=None):
-    """What the screen shows, or the part of it that a widget fills."""
-    command = ["import", "-window", "root"]
-    if part:
-        corner = part.mapToGlobal(QtCore.QPoint(0, 0))
-        command += ["-crop", f"{part.width()}x{part.height()}+{corner.x()}+{corner.y()}", "+repage"]
-    subprocess.check_call(command + [str(path)])
-
-
-def save_panel(path):
-    save_window(path, widget("PropertiesFrame", widget("propertiesPanel")))
-
-
-def look_from(view, direction, up):
-    view.CameraFocalPoint = [0, 0, 0]
-    view.CameraPosition = list(direction)
-    view.CameraViewUp = list(up)
-    simple.ResetCamera(view)
+def save_window(path):
+    """What the screen shows, in few colours."""
+    subprocess.check_call(["import", "-window", "root", "-strip", "+dither", "-colors", "200", f"png8:{path}"])
 
 
 def picture(name):
@@ -93,24 +71,32 @@ def picture(name):
     for source in list(simple.GetSources().values()):
         simple.Delete(source)
     view = simple.GetActiveViewOrCreate("RenderView")
+    view.UseColorPaletteForBackground = 0
+    view.Background = [1, 1, 1]
     simple.HideUnusedScalarBars(view)
     scene = filter_scenes.SCENES[name](MESHES)
     for source in scene.inputs.values():
         simple.Show(source, view)
-    look_from(view, *scene.view)
+    filter_scenes.look_from(view, scene)
     result = create(name, scene)
     apply()
+    for source in scene.inputs.values():
+        simple.Hide(source, view)
+    filter_scenes.show_result(view, scene, result)
+    simple.HideUnusedScalarBars(view)
+    for port in range(result.SMProxy.GetNumberOfOutputPorts()):
+        if port not in dict(scene.shown):
+            simple.Hide(simple.OutputPort(result, port), view)
+    filter_scenes.look_from(view, scene)
     simple.SetActiveSource(result)
+    simple.Render(view)
     settle()
-    show_advanced(False)
-    save_panel(FOLDER / f"{name}.png")
-    save_window(FOLDER / f"{name}-window.png")
-    show_advanced(True)
-    save_panel(FOLDER / f"{name}-advanced.png")
+    save_window(FOLDER / f"{name}.png")
 
 
 def main():
     main_window().resizeDocks([widget("propertiesDock")], [PANEL_WIDTH], QtCore.Qt.Horizontal)
+    main_window().resizeDocks([widget("pipelineBrowserDock")], [BROWSER_HEIGHT], QtCore.Qt.Vertical)
     for name in os.environ.get("SCREENSHOT_FILTERS", " ".join(filter_scenes.SCENES)).split():
         picture(name)
 

@@ -17,10 +17,9 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersCore import vtkGlyph3D, vtkTubeFilter
+from vtkmodules.vtkFiltersCore import vtkTubeFilter
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
-from vtkmodules.vtkFiltersSources import vtkSphereSource
-from offscreen import actor_of, look, save, white_room
+from offscreen import actor_of, balls, look, save, white_room
 
 HERE = pathlib.Path(__file__).resolve().parent
 CGAL_DATA = "/usr/share/doc/libcgal-dev/data.tar.gz"
@@ -56,16 +55,6 @@ def screw():
     moved.SetInputConnection(reader.GetOutputPort())
     moved.SetTransform(placed)
     return moved
-
-
-def balls(cloud, size):
-    ball = vtkSphereSource()
-    ball.SetRadius(size)
-    each = vtkGlyph3D()
-    each.SetInputData(cloud)
-    each.SetSourceConnection(ball.GetOutputPort())
-    each.ScalingOff()
-    return each
 
 
 def scene():

@@ -16,12 +16,12 @@ from surfacebooleans.vtk import vtkPolyDataIntersection
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkGlyph3D, vtkTubeFilter
+from vtkmodules.vtkFiltersCore import vtkGlyph3D, vtkTubeFilter
 from vtkmodules.vtkFiltersSources import vtkArrowSource, vtkCubeSource
-from offscreen import actor_of, draw_in_front, look_parallel, save, white_room
+from offscreen import actor_of, crease_actor, look_parallel, save, white_room
 
 HERE = pathlib.Path(__file__).resolve().parent
-GRAY, GREEN, ORANGE, INK = (0.72, 0.74, 0.77), (0.10, 0.62, 0.25), (0.93, 0.49, 0.10), (0.15, 0.17, 0.20)
+GRAY, GREEN, ORANGE = (0.72, 0.74, 0.77), (0.10, 0.62, 0.25), (0.93, 0.49, 0.10)
 
 
 def box(center):
@@ -30,18 +30,6 @@ def box(center):
     source.SetXLength(1.0), source.SetYLength(1.0), source.SetZLength(1.0)
     source.Update()
     return source.GetOutput()
-
-
-def outline(surface):
-    creases = vtkFeatureEdges()
-    creases.SetInputData(surface)
-    creases.SetFeatureAngle(30)
-    creases.ColoringOff()
-    drawn = actor_of(creases, INK)
-    drawn.GetProperty().SetLineWidth(2)
-    drawn.GetProperty().LightingOff()
-    draw_in_front(drawn)
-    return drawn
 
 
 def arrows(split, chosen, colour):
@@ -83,7 +71,8 @@ def scene():
     tube.SetRadius(0.011)
     tube.SetNumberOfSides(24)
     normals = (arrows(split, doubled & ~on_curve, GRAY), arrows(split, doubled & on_curve, ORANGE))
-    room = white_room((body, outline(front), outline(back), actor_of(tube, GREEN), *normals), key_light=0.9)
+    outlines = (crease_actor(front, 30), crease_actor(back, 30))
+    room = white_room((body, *outlines, actor_of(tube, GREEN), *normals), key_light=0.9)
     look_parallel(room, position=(4.4, 2.96, 3.6), center=(0.25, 0.16, -0.15), up=(0, 1, 0), scale=1.2)
     return room
 

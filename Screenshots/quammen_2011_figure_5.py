@@ -12,17 +12,17 @@ import sys
 
 import numpy as np
 from surfacebooleans.vtk import vtkPolyDataBooleanOperationFilter
-from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataNormals
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent / "Testing" / "Filters")]
 
 from booleans import polydata  # noqa: E402
 from meshes import figure_5_pairs  # noqa: E402
-from offscreen import INK, actor_of, color_by_source, draw_in_front, look_parallel, save, text, white_room  # noqa: E402
+from offscreen import crease_actor, look_parallel, result_actor, save, text, white_room  # noqa: E402
 
 OPERATIONS = ("Union", "Intersection", "Difference")
 BLUE, RED = (0.25, 0.48, 0.88), (0.90, 0.28, 0.23)
+CREASE = 25  # degrees
 CELL, MARGIN = 360, 44  # pixels: one picture, the strip of labels
 
 
@@ -34,35 +34,10 @@ def result_of(first, second, operation):
     return boolean
 
 
-def surface_actor(source):
-    """The result shaded smoothly but for its creases, coloured by SourceId."""
-    normals = vtkPolyDataNormals()
-    normals.SetInputConnection(source.GetOutputPort(0))
-    normals.SetFeatureAngle(25)
-    actor = actor_of(normals)
-    color_by_source(actor, (BLUE, RED))
-    actor.GetProperty().SetSpecular(0.15)
-    actor.GetProperty().SetSpecularPower(30)
-    return actor
-
-
-def crease_actor(source):
-    creases = vtkFeatureEdges()
-    creases.SetInputConnection(source.GetOutputPort(0))
-    creases.BoundaryEdgesOff()
-    creases.NonManifoldEdgesOff()
-    creases.ManifoldEdgesOff()
-    creases.SetFeatureAngle(25)
-    actor = actor_of(creases, INK)
-    actor.GetProperty().SetLineWidth(2)
-    actor.GetProperty().LightingOff()
-    draw_in_front(actor)
-    return actor
-
-
 def picture(pair, operation, viewport):
     source = result_of(*pair, operation)
-    room = white_room((surface_actor(source), crease_actor(source)), key_light=0.88, contrast=1.5)
+    actors = (result_actor(source, (BLUE, RED), CREASE), crease_actor(source, CREASE))
+    room = white_room(actors, key_light=0.88, contrast=1.5)
     room.SetViewport(*viewport)
     aim(room, pair)
     return room

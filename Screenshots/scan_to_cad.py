@@ -14,12 +14,11 @@ import tarfile
 import numpy as np
 import surfacebooleans as sb
 import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401  (the chart)
-from offscreen import INK, actor_of, look, save, side_by_side, white_room
+from offscreen import INK, actor_of, balls, look, save, side_by_side, white_room
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkChartsCore import vtkAxis, vtkChart, vtkChartXY
 from vtkmodules.vtkCommonDataModel import vtkIterativeClosestPointTransform, vtkTable
-from vtkmodules.vtkFiltersCore import vtkGlyph3D
-from vtkmodules.vtkFiltersSources import vtkPlatonicSolidSource, vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkPlatonicSolidSource
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingContext2D import vtkContextActor
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
@@ -91,13 +90,7 @@ def map_of(scan, distances, body, largest):
     values = numpy_to_vtk(distances, deep=True)
     values.SetName("Distance")
     cloud.GetPointData().SetScalars(values)
-    ball = vtkSphereSource()
-    ball.SetRadius(0.45)
-    each = vtkGlyph3D()
-    each.SetInputData(cloud)
-    each.SetSourceConnection(ball.GetOutputPort())
-    each.ScalingOff()
-    points = actor_of(each)
+    points = actor_of(balls(cloud, 0.45))
     points.GetMapper().SetLookupTable(diverging(largest))
     points.GetMapper().UseLookupTableScalarRangeOn()
     middle = body[0].mean(axis=0)

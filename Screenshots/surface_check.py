@@ -76,7 +76,7 @@ def of_crossings(found):
 def main():
     halves = (
         half("elephant-with-holes", of_holes, (0.9, 0.5, 2.4), (0, 1, 0), 1.35),
-        half("bones", of_crossings, (0.3, -2.4, 0.4), (0, 0, 1), 1.3),
+        half("bones", of_crossings, (0.3, -2.4, 0.4), (0, 0, 1), 1.1),
     )
     save(HERE / "surface_check.png", side_by_side(halves), (2 * WIDTH, HEIGHT))
 

@@ -8,7 +8,7 @@ set -e
 packages="
   paraview paraview-dev python3-paraview
   g++ make cmake ninja-build
-  python3-dev qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools
+  python3-dev qtbase5-dev qttools5-dev
   libopenmpi-dev openmpi-bin libeigen3-dev libutfcpp-dev
   libexpat1-dev liblzma-dev liblz4-dev libdouble-conversion-dev zlib1g-dev
   libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev libocct-data-exchange-dev

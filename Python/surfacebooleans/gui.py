@@ -300,6 +300,43 @@ def show_tool(result=None):
     return _finished(result)
 
 
+@_told
+def blocks(result=None):
+    """The selected result in a colour for each block of multi-block data that its parts come from, with their names.
+
+    Parameters
+    ----------
+    result : proxy, optional
+        Instead of the selected source: a filter of this plugin, or what follows it, with the array BlockId.
+
+    Returns
+    -------
+    proxy or None
+        The source; None if it has no such array.
+    """
+    result = result or simple.GetActiveSource()
+    if result is not None:
+        result.UpdatePipeline()
+    places = {"CELLS": "CellData", "POINTS": "PointData"}
+    place = next((name for name, data in places.items() if "BlockId" in _arrays(result, data)), None)
+    if place is None:
+        raise _CannotStart(
+            "Select a result with the array BlockId in the Pipeline Browser first: that of a filter of Surface Booleans "
+            "whose Input or Tool is multi-block."
+        )
+    colours = itertools.cycle([BLUE, RED, *MORE_COLOURS])
+    names = {k: (name, next(colours)) for k, name in enumerate(_words(result, "BlockNames"))}
+    names[-1] = ("no block", [0.7, 0.7, 0.7])
+    view = _view()
+    display = simple.Show(result, view)
+    display.Representation = "Surface"
+    simple.ColorBy(display, (place, "BlockId"), separate=True)
+    table = simple.GetColorTransferFunction("BlockId", display, separate=True)
+    _name_values(table, names)
+    _show_legend(display, table, view)
+    return _finished(result)
+
+
 def chosen(ports):
     """The sources that the toolbar's dialog was given, from the ids of their proxies and the numbers of their ports."""
     session = servermanager.ActiveConnection.Session
@@ -407,6 +444,22 @@ def _show_legend(display, table, view):
     display.SetScalarBarVisibility(view, True)
     bar = simple.GetScalarBar(table, view)
     bar.Title, bar.ComponentTitle = "", ""
+
+
+def _arrays(source, data):
+    """The names of the arrays on a source's cells or points."""
+    return [] if source is None else getattr(source, data).keys()
+
+
+def _words(result, field):
+    """All values of a field array of texts. The server makes one text of them, since not all of the data are wanted here."""
+    joined = simple.PythonAnnotation(Input=result, ArrayAssociation="Field Data")
+    array = f"inputs[0].VTKObject.GetFieldData().GetAbstractArray({field!r})"
+    joined.Expression = f"chr(10).join(map({array}.GetValue, range({array}.GetNumberOfValues())))"
+    joined.UpdatePipeline()
+    text = servermanager.Fetch(joined).GetColumn(0).GetValue(0)
+    simple.Delete(joined)
+    return text.split("\n")
 
 
 def _show_verdict(result, view):

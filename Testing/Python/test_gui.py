@@ -75,6 +75,11 @@ def test_what_is_no_surface_is_told_by_its_name(recipe, sources, words, capfd):
     assert len(simple.GetSources()) == before
 
 
+def test_only_what_has_blocks_can_be_coloured_by_them(capfd):
+    assert gui.blocks(simple.Sphere()) is None
+    assert "array BlockId" in capfd.readouterr().err
+
+
 def test_only_a_filter_with_a_tool_can_show_it(capfd):
     assert gui.show_tool(simple.Sphere()) is None
     assert "Select a filter that has a Tool" in capfd.readouterr().err
