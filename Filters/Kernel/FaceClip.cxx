@@ -140,11 +140,12 @@ void FaceClip::Cut(std::int32_t plane, Contour& contour)
   const std::size_t last = (i + size - 1) % size;
   const bool endsOn = this->Sides[i] == 0;
   Corner end = endsOn ? this->Polygon[i] : this->Crossing(last, plane);
-  // A side that lies in the plane keeps its own line; a new one is where the triangle meets the
-  // plane.
+  // An edge that lies in the plane keeps its own line; any other is where the triangle meets the
+  // plane. So is a side in an earlier plane, which may be the same one and have no line with it.
   const bool isOldSide = endsOn && startsOn && (i + 1) % size == start;
-  const Carrier line =
-    isOldSide ? this->CarrierOf(this->Labels[i]) : Carrier{ Carrier::Kind::Face, this->Face, -1 };
+  const Carrier line = isOldSide && this->Labels[i] < 3
+    ? this->CarrierOf(this->Labels[i])
+    : Carrier{ Carrier::Kind::Face, this->Face, -1 };
   this->NextPolygon.push_back(end);
   this->NextLabels.push_back(isOldSide ? this->Labels[i] : 3 + plane);
   contour.push_back({ this->NextPolygon.front().Instance, end.Instance, line });

@@ -256,11 +256,40 @@ void ManyPlanesAtOnce()
   }
 }
 
+/** A plane that is there twice, or nearly, changes nothing, whatever further planes cut its cap. */
+void RepeatedPlanes()
+{
+  Random random(13);
+  for (const Body& body : Bodies())
+  {
+    for (int i = 0; i < 60; ++i)
+    {
+      const auto any = [&] {
+        return i % 4 == 3 ? AnyPlane(random, body.Low, body.High)
+                          : LatticePlane(random, body.Low, body.High);
+      };
+      const ClipPlane plane = any();
+      const ClipPlane other = any();
+      ClipPlane twice = plane;
+      twice.Normal = (i % 3 + 1.0) * plane.Normal;
+      const double expected = Volume(Clip(body.Surface, { plane, other }));
+      for (const auto& planes : { std::vector<ClipPlane>{ plane, twice, other },
+             { plane, other, twice }, { other, plane, twice } })
+      {
+        const Mesh result = Clip(body.Surface, planes);
+        CHECK_EQUAL(BadEdges(result), 0);
+        CHECK(std::fabs(Volume(result) - expected) <= 1e-12 * Volume(body.Surface));
+      }
+    }
+  }
+}
+
 } // namespace
 
 int main()
 {
   HalvesAddUpAndAreManifold();
   ManyPlanesAtOnce();
+  RepeatedPlanes();
   return check::Verdict("TestClip");
 }
