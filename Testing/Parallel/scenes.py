@@ -22,9 +22,10 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 CAD_FILE = "/usr/share/opencascade/data/step/screw.step"
 TIMES = {"StageNames", "StageSeconds"}
-# Clean takes no images, contours of them stay where they are, and Merge Blocks and Clean wait for ever by themselves where
-# there are several processes.
+# Clean takes no images, contours of them stay where they are, as does what Force Time hands on, and Merge Blocks and Clean
+# wait for ever by themselves where there are several processes.
 NOT_CLEANED = {
+    *(f"Distance at {time}" for time in (0.0, 0.25, 0.5)),
     "Distance field by dimensions",
     "Distance field by spacing",
     "Distance of an image",
