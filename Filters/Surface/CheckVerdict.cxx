@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CheckVerdict.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace sbvtk
@@ -53,6 +54,11 @@ std::string Shape(const CheckFindings& findings)
   const sb::SurfaceCheckResult& result = findings.Result;
   const auto shells = static_cast<std::int64_t>(result.Shells.size());
   std::string text = " It has " + Number(shells, "shell", "shells");
+  const auto inner = std::count_if(result.Shells.begin(), result.Shells.end(),
+    [](const sb::Shell& shell) { return shell.Depth > 0; });
+  text += inner > 0 ? ", of which " + std::to_string(inner) + Either(inner, " lies", " lie") +
+      " inside of others (ShellDepth)"
+                    : "";
   if (result.Report.Closed)
   {
     const std::int64_t genus = result.Genus();
@@ -86,6 +92,18 @@ std::string OfUnusableCells(const CheckFindings& findings)
         Either(points, "it", "them") + ", and Surface is without.";
   }
   return text;
+}
+
+std::string OfPoints(const CheckFindings& findings)
+{
+  const std::int64_t count = findings.Result.Counts.DuplicatePoints;
+  if (count == 0)
+  {
+    return "";
+  }
+  return " " + Number(count, "point is", "points are") +
+    " at the place of an earlier one (DuplicatePoint), as where normals differ along a crease: "
+    "Surface Boolean takes them as one, and Clean makes one of them.";
 }
 
 std::string OfOrientation(const CheckFindings& findings)
@@ -215,7 +233,7 @@ std::string Verdict(const CheckFindings& findings)
     return text;
   }
   text += Shape(findings) + OfUnusableCells(findings) + OfCells(findings) + OfEdges(findings) +
-    OfOrientation(findings);
+    OfOrientation(findings) + OfPoints(findings);
   if (!findings.LookedForSelfIntersections)
   {
     text += " Self-intersections were not looked for.";

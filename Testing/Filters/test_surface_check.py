@@ -88,6 +88,7 @@ def test_points_of_creases_are_no_defect():
     found = check(source.GetOutput())
     assert found.Clean == 1 and found.DuplicatePointCount == 24 - 8 and found.VertexCount == 8
     assert found.point_data["DuplicatePoint"].sum() == 16 and found.TriangleCount == 12
+    assert "16 points are at the place of an earlier one" in found.Verdict
 
 
 # ---- open surfaces ------------------------------------------------------------------------------------

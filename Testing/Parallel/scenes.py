@@ -22,9 +22,10 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 CAD_FILE = "/usr/share/opencascade/data/step/screw.step"
 TIMES = {"StageNames", "StageSeconds"}
-# Clean takes no images, contours of them stay where they are, and Merge Blocks and Clean wait for ever by themselves where
-# there are several processes.
+# Clean takes no images, contours of them stay where they are, as does what Force Time hands on, and Merge Blocks and Clean
+# wait for ever by themselves where there are several processes.
 NOT_CLEANED = {
+    *(f"Distance at {time}" for time in (0.0, 0.25, 0.5)),
     "Distance field by dimensions",
     "Distance field by spacing",
     "Distance of an image",
@@ -64,6 +65,28 @@ HANDLES_PIECES = """
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 self.GetOutputInformation(0).Set(vtkAlgorithm.CAN_HANDLE_PIECE_REQUEST(), 1)
 """
+
+# A sphere that moves with time, in pieces.
+MOVING = """
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+request = self.GetOutputInformation(0)
+time = request.Get(Pipeline.UPDATE_TIME_STEP()) if request.Has(Pipeline.UPDATE_TIME_STEP()) else 0.0
+sphere = vtkSphereSource()
+sphere.SetCenter(0.3 + time, 0.1, 0.05)
+sphere.SetThetaResolution(24)
+sphere.SetPhiResolution(16)
+sphere.UpdatePiece(request.Get(Pipeline.UPDATE_PIECE_NUMBER()), request.Get(Pipeline.UPDATE_NUMBER_OF_PIECES()) or 1, 0)
+output.ShallowCopy(sphere.GetOutput())
+"""
+HAS_TIMES = (
+    HANDLES_PIECES
+    + """
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
+self.GetOutputInformation(0).Set(Pipeline.TIME_STEPS(), [0.0, 0.25, 0.5], 3)
+self.GetOutputInformation(0).Set(Pipeline.TIME_RANGE(), [0.0, 0.5], 2)
+"""
+)
 
 
 def arrays_of(attributes):
@@ -180,6 +203,19 @@ def surface_scenes(folder):
     yield "Contour triangulator of blocks", filled, 1, ()
 
 
+def time_scenes():
+    """As surface_scenes: filters whose Tool moves, at several times."""
+    moving = simple.ProgrammableSource(Script=MOVING, ScriptRequestInformation=HAS_TIMES)
+    moving.OutputDataSetType = "vtkPolyData"
+    filters = {
+        "Boolean": simple.SurfaceBoolean(Input=sphere(), Tool=moving, Operation="Difference"),
+        "Distance": simple.SurfaceDistance(Input=sphere(), Tool=moving),
+    }
+    for what, made in filters.items():
+        for time in (0.0, 0.25, 0.5):
+            yield f"{what} at {time}", simple.ForceTime(Input=made, IgnorePipelineTime=1, ForcedTime=time), 1, ["Distance"]
+
+
 def distance_scenes(folder):
     """As surface_scenes."""
     tool = from_file(folder)
@@ -213,7 +249,7 @@ def designed_scenes(folder):
     if hasattr(simple, "NURBSReader") and os.path.exists(CAD_FILE):
         part = simple.NURBSReader(FileName=CAD_FILE)
         yield "CAD part", part, 1, ()
-        cut = simple.ClosedSurfaceClip(Input=part, Origin=[-15, 0, 5], Normal=[1, 0, 0])
+        cut = simple.ClosedSurfaceClip(Input=part, Origin=[-15, 0, 5], Normal=[1, 0, 0], PassPointData=1)
         yield "CAD part, cut", cut, 2, ()
         path = os.path.join(folder, "cut.step")
         simple.SaveData(path, proxy=cut)
@@ -226,7 +262,7 @@ def main(target, *server):
         simple.Connect(server[0], int(server[1]))
     facts = {}
     folder = os.path.dirname(os.path.abspath(target))
-    scenes = [*surface_scenes(folder), *distance_scenes(folder), *cloud_scenes(), *designed_scenes(folder)]
+    scenes = [*surface_scenes(folder), *distance_scenes(folder), *time_scenes(), *cloud_scenes(), *designed_scenes(folder)]
     for name, proxy, outputs, values in scenes:
         spread = name.startswith("Distance ") and "field" not in name
         for port in range(outputs):
