@@ -105,11 +105,12 @@ public:
 private:
   CommonPoint Search(double u, double v)
   {
-    const double width = this->Surface.Width();
     // Gathered afresh, so that what was searched before does not matter.
-    this->Surface.Gather(EvaluatePatch(this->Patch, u, v, 0).Point, Margin * width, this->Near);
+    this->Surface.Gather(
+      EvaluatePatch(this->Patch, u, v, 0).Point, Margin * this->Surface.Width(), this->Near);
     CommonPoint best;
     CommonPoint now = this->At(u, v);
+    const double width = now.Surface.Width; // as the samples have it there
     const Real3 start = now.Point;
     for (int iteration = 0; iteration < MostIterations; ++iteration)
     {
@@ -186,7 +187,7 @@ private:
       Keep(now.U, this->Patch.FirstU(), this->Patch.LastU(), step.U);
     }
     const double length = LengthOf(this->Place, step);
-    const double longest = LongestStep * this->Surface.Width();
+    const double longest = LongestStep * now.Surface.Width;
     if (length > longest)
     {
       step.U *= longest / length;
@@ -266,7 +267,6 @@ CommonPoint OntoCloudAndPatch(const MovingLeastSquares& surface, const NURBSSurf
 CommonPoint OntoCloudAndPlane(const MovingLeastSquares& surface, const Real3& origin,
   const Real3& normal, const Real3& start, MovingLeastSquares::Neighbourhood& near)
 {
-  const double width = surface.Width();
   const auto inPlane = [&](const Real3& x) {
     return PlusScaled(x, -Dot(Difference(x, origin), normal), normal);
   };
@@ -274,10 +274,11 @@ CommonPoint OntoCloudAndPlane(const MovingLeastSquares& surface, const Real3& or
   CommonPoint now;
   now.Point = inPlane(start);
   const Real3 first = now.Point;
-  surface.Gather(first, Margin * width, near);
+  surface.Gather(first, Margin * surface.Width(), near);
   for (int iteration = 0; iteration < MostIterations; ++iteration)
   {
     now.Surface = surface.EvaluateNear(now.Point, 1, near);
+    const double width = now.Surface.Width; // as the samples have it there
     if (!now.Surface.IsNear || !(Length(Difference(now.Point, first)) <= FarthestFromStart * width))
     {
       return now;

@@ -17,18 +17,19 @@ namespace
 
 constexpr std::int64_t Grain = 64;
 constexpr double Rounding = 1e-12; ///< in widths: values below it have no sign
+constexpr double OnBorder = 1e-5; ///< in lengths of the domain; the tree ends a little beyond it
 
 /** Branches of a face, before they are trimmed. */
 class BranchFinding
 {
 public:
-  BranchFinding(const MovingLeastSquares& surface, const NURBSSurface& patch,
-    const PatchQuadtree& tree, CoincidenceTolerance& tolerance, Executor& executor,
-    Monitor& monitor)
-    : Surface(surface)
-    , Tolerance(tolerance)
-    , Patch(patch)
-    , Tree(tree)
+  BranchFinding(const BranchRequest& request, Executor& executor, Monitor& monitor)
+    : Surface(request.Surface)
+    , Domain(request.Domain)
+    , Tolerance(request.Tolerance)
+    , Patch(request.Patch)
+    , Tree(request.Tree)
+    , NearestTouch(request.NearestTouch)
     , Threads(executor)
     , Watch(monitor)
   {
@@ -66,7 +67,54 @@ public:
 
   double CoincidentArea() const { return this->Area; }
 
+  std::vector<std::uint8_t> CrossedCells() { return std::move(this->IsCrossed); }
+
+  std::vector<SurfaceTouch> Touches() const
+  {
+    std::vector<double> values = this->Values;
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      if (std::abs(values[i]) <= this->NearestTouch &&
+        !this->IsInDomain(this->Tree.ParametersOf(i)))
+      {
+        values[i] = std::numeric_limits<double>::quiet_NaN();
+      }
+    }
+    TouchSearch search(std::move(values), this->NearestTouch, Rounding * this->Surface.Width());
+    for (std::size_t cell = 0; cell < this->Tree.NumberOfCells(); ++cell)
+    {
+      const std::size_t end = this->RingStarts[cell + 1];
+      for (std::size_t k = this->RingStarts[cell]; k < end; ++k)
+      {
+        const std::int32_t vertex = static_cast<std::int32_t>(this->Rings[k]);
+        if (this->IsCoincident[cell])
+        {
+          search.LeaveOut(vertex);
+        }
+        for (std::size_t other = k + 1; other < end; ++other)
+        {
+          search.Link(vertex, static_cast<std::int32_t>(this->Rings[other]));
+        }
+      }
+    }
+    MovingLeastSquares::Neighbourhood near;
+    const auto placeOf = [this](std::int32_t vertex) {
+      return this->Evaluate(this->Tree.ParametersOf(static_cast<std::size_t>(vertex)), 1).Point;
+    };
+    return search.Find(this->Surface, placeOf, near);
+  }
+
 private:
+  /** Within the domain or on its border, where a face may touch with its edge. */
+  bool IsInDomain(const Parameters& at) const
+  {
+    const ParameterBox& all = this->Domain.Box();
+    const double u = OnBorder * (all.LastU - all.FirstU);
+    const double v = OnBorder * (all.LastV - all.FirstV);
+    return this->Domain.Contains(at) ||
+      this->Domain.MayMeet({ at[0] - u, at[0] + u, at[1] - v, at[1] + v });
+  }
+
   /** Two neighbours on a ring, the smaller number first. */
   using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -196,6 +244,7 @@ private:
   void ListSegments()
   {
     std::vector<std::pair<Edge, Edge>> segments;
+    this->IsCrossed.assign(this->Tree.NumberOfCells(), 0);
     for (std::size_t cell = 0; cell < this->Tree.NumberOfCells(); ++cell)
     {
       const std::uint32_t* ring = this->Rings.data() + this->RingStarts[cell];
@@ -209,6 +258,7 @@ private:
       {
         if (this->IsInside(ring[leaves]) && !this->IsInside(ring[(leaves + 1) % count]))
         {
+          this->IsCrossed[cell] = 1;
           // The run of inside corners that ends here is cut off by one segment.
           std::size_t enters = leaves + count - 1;
           while (this->IsInside(ring[enters % count]))
@@ -330,16 +380,19 @@ private:
   }
 
   const MovingLeastSquares& Surface;
+  const TrimmedDomain& Domain;
   CoincidenceTolerance& Tolerance;
   const NURBSSurface& Patch;
   const PatchQuadtree& Tree;
+  const double NearestTouch;
   Executor& Threads;
   Monitor& Watch;
   std::vector<double> Values; ///< of vertices; NaN where there is none
   std::vector<std::uint8_t> IsParallel; ///< vertices that are near the surface and its tangents
   std::vector<std::uint32_t> Rings; ///< of all cells, one after another
   std::vector<std::size_t> RingStarts;
-  std::vector<std::uint8_t> IsCoincident; ///< of cells
+  std::vector<std::uint8_t> IsCoincident; ///< of cells, and so is the next
+  std::vector<std::uint8_t> IsCrossed;
   std::vector<std::pair<Edge, Edge>> Suppressed; ///< segments in coincident cells
   std::vector<Edge> Edges; ///< that branches cross
   std::vector<std::int32_t> Next; ///< of an edge, the one that its branch goes to
@@ -350,11 +403,16 @@ private:
 
 } // namespace
 
-FaceBranches FindBranches(const MovingLeastSquares& surface, const NURBSSurface& patch,
-  const PatchQuadtree& tree, CoincidenceTolerance& tolerance, Executor& executor, Monitor& monitor)
+FaceBranches FindBranches(const BranchRequest& request, Executor& executor, Monitor& monitor)
 {
-  BranchFinding finding(surface, patch, tree, tolerance, executor, monitor);
-  return { finding.Branches(), finding.CoincidentArea() };
+  BranchFinding finding(request, executor, monitor);
+  if (monitor.Aborted())
+  {
+    return {};
+  }
+  std::vector<SurfaceTouch> touches = finding.Touches();
+  return { finding.Branches(), finding.CoincidentArea(), finding.CrossedCells(),
+    std::move(touches) };
 }
 
 } // namespace sb

@@ -13,6 +13,7 @@
 #include "CoincidentArea.h"
 #include "CurveEnd.h"
 #include "PatchQuadtree.h"
+#include "TouchSearch.h"
 
 #include <vector>
 
@@ -31,10 +32,22 @@ struct FaceBranches
 {
   std::vector<FaceBranch> Branches; ///< the cloud's inside is on the left, seen from S_u x S_v
   double CoincidentArea = 0.0;
+  std::vector<std::uint8_t> IsCrossed; ///< of each cell, by a branch
+  /** Where the patch, within its domain, comes near to the surface without crossing it. */
+  std::vector<SurfaceTouch> Touches;
 };
 
-FaceBranches FindBranches(const MovingLeastSquares& surface, const NURBSSurface& patch,
-  const PatchQuadtree& tree, CoincidenceTolerance& tolerance, Executor& executor, Monitor& monitor);
+struct BranchRequest
+{
+  const MovingLeastSquares& Surface;
+  const NURBSSurface& Patch;
+  const TrimmedDomain& Domain;
+  const PatchQuadtree& Tree;
+  CoincidenceTolerance& Tolerance;
+  double NearestTouch; ///< how near a patch has to come to touch
+};
+
+FaceBranches FindBranches(const BranchRequest& request, Executor& executor, Monitor& monitor);
 
 } // namespace sb
 

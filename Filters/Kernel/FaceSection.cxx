@@ -16,6 +16,7 @@ namespace
 {
 
 constexpr double LargestCell = 1.4; ///< in spacings: its diagonal is shorter than two
+constexpr double LargestInWidths = 2.0 / 3.0; ///< so that the surface is known at all its corners
 constexpr double ReachInWidths = 1.0; ///< the surface is not farther from all samples
 constexpr double Rounding = 1e-12; ///< in widths: nodes that are not farther apart are one
 constexpr double ShortestInWidths = 0.02; ///< from a cut to the next point of a branch
@@ -202,7 +203,7 @@ void Reverse(SectionPiece& piece)
 } // namespace
 
 FaceSection SectionOfFace(const FaceSectionRequest& request,
-  const std::vector<std::int32_t>& triangles, Executor& executor, Monitor& monitor)
+  const std::vector<std::int32_t>& triangles, int halvings, Executor& executor, Monitor& monitor)
 {
   FaceSection section;
   if (triangles.empty())
@@ -214,15 +215,23 @@ FaceSection SectionOfFace(const FaceSectionRequest& request,
   const std::int32_t face = designed.FaceId[static_cast<std::size_t>(triangles.front())];
   const NURBSSurface& patch = designed.Patches[static_cast<std::size_t>(face)];
   const TrimmedDomain domain(designed, triangles);
-  const double cell = LargestCell * request.Spacing;
-  const PatchQuadtree tree(patch, domain, surface.Samples(),
+  const double cell =
+    std::min(LargestCell * request.Spacing, LargestInWidths * surface.NarrowWidth());
+  PatchQuadtree tree(patch, domain, surface.Samples(),
     { ReachInWidths * surface.LargestWidth(), cell }, executor, monitor);
   if (tree.NumberOfCells() == 0 || monitor.Aborted())
   {
     return section;
   }
-  const FaceBranches found =
-    FindBranches(surface, patch, tree, request.Tolerance, executor, monitor);
+  const BranchRequest wanted{ surface, patch, domain, tree, request.Tolerance,
+    request.NearestTouch };
+  FaceBranches found = FindBranches(wanted, executor, monitor);
+  section.Touches = std::move(found.Touches);
+  for (int halving = 0; halving < halvings && !monitor.Aborted(); ++halving)
+  {
+    tree.Halve(found.IsCrossed);
+    found = FindBranches(wanted, executor, monitor);
+  }
   section.CoincidentArea = found.CoincidentArea;
   Trimming trimming(surface, patch, domain, face, cell);
   for (const FaceBranch& branch : found.Branches)

@@ -15,6 +15,7 @@
 #include "CoincidentArea.h"
 #include "CurveEnd.h"
 #include "MovingLeastSquares.h"
+#include "TouchSearch.h"
 #include "TrimmedDomain.h"
 
 #include <cstddef>
@@ -39,6 +40,7 @@ struct FaceSection
 {
   std::vector<SectionPiece> Pieces; ///< the cloud's inside is on the left, seen from outside
   double CoincidentArea = 0.0;
+  std::vector<SurfaceTouch> Touches; ///< without a curve of this face near them
 };
 
 /** What all faces share. */
@@ -48,11 +50,17 @@ struct FaceSectionRequest
   const DesignedSurface& Designed;
   double Spacing; ///< of the cloud
   CoincidenceTolerance& Tolerance;
+  double NearestTouch; ///< how near a face has to come to touch
 };
 
-/** @param triangles of one face that has a patch, their numbers */
+/**
+ * @param triangles of one face that has a patch, their numbers
+ * @param halvings how often the cells that branches cross are cut into four. Where two branches run
+ * through one cell (the face is nearly tangential at a saddle), its corners do not tell which ends
+ * belong together.
+ */
 FaceSection SectionOfFace(const FaceSectionRequest& request,
-  const std::vector<std::int32_t>& triangles, Executor& executor, Monitor& monitor);
+  const std::vector<std::int32_t>& triangles, int halvings, Executor& executor, Monitor& monitor);
 
 } // namespace sb
 

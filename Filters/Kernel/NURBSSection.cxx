@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 
 namespace sb
 {
@@ -20,6 +22,9 @@ constexpr double LongestStep = 2.0; ///< in widths
 constexpr double PointInWidths = 1e-4; ///< a curve that is not longer is none
 constexpr double SameInWidths = 1e-6; ///< ends of pieces that are one point of a curve
 constexpr double ShortestStep = 1e-3; ///< in widths
+constexpr double TouchInSpacings = 0.1; ///< how near a face has to come to touch
+constexpr double NextToInSpacings = 2.0; ///< what is nearer to a touch is not something else
+constexpr int MostHalvings = 4; ///< of the cells of a face, where two branches are in one of them
 
 /** A piece with as few nodes as the bound allows. */
 struct SteppedPiece
@@ -93,44 +98,117 @@ public:
     , Request(request)
     , Threads(executor)
     , Watch(monitor)
+    , Tolerance(surface, request.Spacing)
   {
   }
 
   NURBSSection Run()
   {
-    this->FindPieces();
-    this->Partner = JoinPieces(this->Surface, this->Designed, this->Pieces);
-    this->StepAlongPieces();
-    this->Result.Aborted = this->Watch.Aborted();
-    if (this->Result.Aborted)
+    this->ListTriangles();
+    std::vector<std::size_t> faces(this->Triangles.size());
+    std::iota(faces.begin(), faces.end(), std::size_t(0));
+    for (int halvings = 0; halvings <= MostHalvings && !faces.empty(); ++halvings)
     {
-      return { {}, 0.0, true };
+      this->FindSections(faces, halvings);
+      this->CollectPieces();
+      this->Partner = JoinPieces(this->Surface, this->Designed, this->Pieces);
+      this->StepAlongPieces();
+      faces = this->FacesBeyondBound();
+    }
+    if (this->Watch.Aborted())
+    {
+      NURBSSection none;
+      none.Aborted = true;
+      return none;
     }
     this->AssembleCurves();
+    this->CollectTouches();
     return std::move(this->Result);
   }
 
 private:
-  void FindPieces()
+  void ListTriangles()
   {
-    std::vector<std::vector<std::int32_t>> triangles(this->Designed.Patches.size());
+    this->Triangles.resize(this->Designed.Patches.size());
+    this->Sections.resize(this->Designed.Patches.size());
     for (std::size_t i = 0; i < this->Designed.FaceId.size(); ++i)
     {
       const std::int32_t face = this->Designed.FaceId[i];
       if (face >= 0)
       {
-        triangles[static_cast<std::size_t>(face)].push_back(static_cast<std::int32_t>(i));
+        this->Triangles[static_cast<std::size_t>(face)].push_back(static_cast<std::int32_t>(i));
       }
     }
-    CoincidenceTolerance tolerance(this->Surface, this->Request.Spacing);
+  }
+
+  void FindSections(const std::vector<std::size_t>& faces, int halvings)
+  {
     const FaceSectionRequest request{ this->Surface, this->Designed, this->Request.Spacing,
-      tolerance };
-    for (std::size_t face = 0; face < triangles.size() && !this->Watch.Aborted(); ++face)
+      this->Tolerance,
+      std::max(this->Request.ChordError, TouchInSpacings * this->Request.Spacing) };
+    for (std::size_t i = 0; i < faces.size() && !this->Watch.Aborted(); ++i)
     {
-      this->Watch.Progress(0.7 * double(face) / double(triangles.size()), "Faces");
-      FaceSection section = SectionOfFace(request, triangles[face], this->Threads, this->Watch);
+      this->Watch.Progress(0.7 * double(i) / double(faces.size()), "Faces");
+      this->Sections[faces[i]] =
+        SectionOfFace(request, this->Triangles[faces[i]], halvings, this->Threads, this->Watch);
+    }
+  }
+
+  void CollectPieces()
+  {
+    this->Pieces.clear();
+    this->Result.CoincidentArea = 0.0;
+    for (const FaceSection& section : this->Sections)
+    {
       this->Result.CoincidentArea += section.CoincidentArea;
-      std::move(section.Pieces.begin(), section.Pieces.end(), std::back_inserter(this->Pieces));
+      this->Pieces.insert(this->Pieces.end(), section.Pieces.begin(), section.Pieces.end());
+    }
+  }
+
+  /** The faces of pieces that do not keep the bound on the chord error. */
+  std::vector<std::size_t> FacesBeyondBound() const
+  {
+    std::vector<std::size_t> faces;
+    for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
+    {
+      const std::size_t face = static_cast<std::size_t>(this->Pieces[piece].Face);
+      const bool isBeyond = this->Stepped[piece].ChordError > this->Request.ChordError;
+      if (isBeyond && (faces.empty() || faces.back() != face))
+      {
+        faces.push_back(face); // pieces are in the order of their faces
+      }
+    }
+    return faces;
+  }
+
+  /** One touch at each place, the nearest, and none where a curve is: each face knows its own only.
+   */
+  void CollectTouches()
+  {
+    std::vector<SurfaceTouch> touches;
+    for (const FaceSection& section : this->Sections)
+    {
+      touches.insert(touches.end(), section.Touches.begin(), section.Touches.end());
+    }
+    std::stable_sort(touches.begin(), touches.end(),
+      [](const SurfaceTouch& a, const SurfaceTouch& b) { return a.Distance < b.Distance; });
+    const double limit = NextToInSpacings * this->Request.Spacing;
+    for (const SurfaceTouch& touch : touches)
+    {
+      const auto isNextTo = [&](const Real3& place) {
+        return Length(Difference(place, touch.Place)) <= limit;
+      };
+      const bool isKnown = std::any_of(this->Result.Touches.begin(), this->Result.Touches.end(),
+        [&](const SurfaceTouch& other) { return isNextTo(other.Place); });
+      const bool isCurve =
+        std::any_of(this->Pieces.begin(), this->Pieces.end(), [&](const SectionPiece& piece) {
+          return std::any_of(piece.Nodes.begin(), piece.Nodes.end(),
+            [&](const CurveNode& node) { return isNextTo(node.Point); });
+        });
+      if (!isKnown && !isCurve)
+      {
+        this->Result.Touches.push_back(touch);
+      }
     }
   }
 
@@ -162,7 +240,7 @@ private:
           this->StepAlongPart(parts[static_cast<std::size_t>(i)]);
         }
       });
-    this->Stepped.resize(this->Pieces.size());
+    this->Stepped.assign(this->Pieces.size(), SteppedPiece());
     for (const Part& part : parts)
     {
       SteppedPiece& whole = this->Stepped[part.Piece];
@@ -303,6 +381,9 @@ private:
   const SectionRequest Request;
   Executor& Threads;
   Monitor& Watch;
+  CoincidenceTolerance Tolerance;
+  std::vector<std::vector<std::int32_t>> Triangles; ///< of each face
+  std::vector<FaceSection> Sections; ///< of each face
   std::vector<SectionPiece> Pieces;
   std::vector<PieceEnd> Partner;
   std::vector<SteppedPiece> Stepped;

@@ -37,6 +37,9 @@ struct NURBSCurve
 struct NURBSSection
 {
   std::vector<NURBSCurve> Curves; ///< the cloud's inside is on the left, seen from outside
+  /** Where a face comes nearer to the surface than the chord error, or a tenth of a spacing,
+   * without crossing it. */
+  std::vector<SurfaceTouch> Touches;
   double CoincidentArea = 0.0; ///< of the designed surface, where the cloud lies in it
   bool Aborted = false;
 };

@@ -225,8 +225,35 @@ void PatchQuadtree::Balance()
     [&](const Cell& a, const Cell& b) { return keyOf(a) < keyOf(b); });
 }
 
+void PatchQuadtree::Halve(const std::vector<std::uint8_t>& isChosen)
+{
+  std::vector<Cell> cells;
+  for (std::size_t i = 0; i < this->Cells.size(); ++i)
+  {
+    const Cell& cell = this->Cells[i];
+    if (!isChosen[i] || cell.Level >= Levels)
+    {
+      cells.push_back(cell);
+      continue;
+    }
+    const std::uint32_t half = RootSteps >> (cell.Level + 1);
+    for (std::uint32_t child = 0; child < 4; ++child)
+    {
+      const Cell part{ cell.U + (child % 2) * half, cell.V + (child / 2) * half, cell.Level + 1 };
+      if (this->Judge(part) != Verdict::Empty)
+      {
+        cells.push_back(part);
+      }
+    }
+  }
+  this->Cells.swap(cells);
+  this->Balance();
+  this->ListVertices();
+}
+
 void PatchQuadtree::ListVertices()
 {
+  this->Vertices.clear();
   for (const Cell& cell : this->Cells)
   {
     const std::uint32_t size = RootSteps >> cell.Level;

@@ -34,6 +34,9 @@ public:
   PatchQuadtree(const NURBSSurface& patch, const TrimmedDomain& domain, const PointTree& samples,
     const Request& request, Executor& executor, Monitor& monitor);
 
+  /** Cut these cells into four, and those beside them that are much larger. */
+  void Halve(const std::vector<std::uint8_t>& isChosen);
+
   std::size_t NumberOfCells() const { return this->Cells.size(); }
   std::size_t NumberOfVertices() const { return this->Vertices.size(); }
   Parameters ParametersOf(std::size_t vertex) const;

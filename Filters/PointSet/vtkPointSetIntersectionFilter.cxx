@@ -242,6 +242,7 @@ auto vtkPointSetIntersectionFilter::Run::CutWithPatches(double chordError, sb::M
     *this->Cloud.Surface, body, { this->Cloud.Spacing, chordError }, this->Executor, monitor);
   this->StopIf(section.Aborted);
   this->TellOfArea(section.CoincidentArea);
+  this->TellOfTouches(section.Touches);
   sb::MovingLeastSquares::Neighbourhood near;
   Curves curves;
   for (sb::NURBSCurve& cut : section.Curves)
