@@ -4,7 +4,13 @@
 
 #include <pqApplicationCore.h>
 
+#include <QHelpEngine>
+
 void registerHelpPages()
 {
-  pqApplicationCore::instance()->registerDocumentation(":/SurfaceBooleans/SurfaceBooleans.qch");
+  auto* application = pqApplicationCore::instance();
+  // With Qt 6 it does not take in what is registered, unless it is told to; with Qt 5 there is no
+  // such property.
+  application->helpEngine()->setProperty("readOnly", false);
+  application->registerDocumentation(":/SurfaceBooleans/SurfaceBooleans.qch");
 }
