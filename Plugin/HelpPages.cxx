@@ -4,7 +4,15 @@
 
 #include <pqApplicationCore.h>
 
+#include <QHelpEngine>
+
 void registerHelpPages()
 {
-  pqApplicationCore::instance()->registerDocumentation(":/SurfaceBooleans/SurfaceBooleans.qch");
+  auto* application = pqApplicationCore::instance();
+  // With Qt 6 the engine does not take in what is registered unless it is told to, and set up anew;
+  // with Qt 5 there is no such property.
+  QHelpEngine* engine = application->helpEngine();
+  engine->setProperty("readOnly", false);
+  engine->setupData();
+  application->registerDocumentation(":/SurfaceBooleans/SurfaceBooleans.qch");
 }
