@@ -835,78 +835,119 @@ private:
     int Assumed; ///< winding number at the root
   };
 
+  /** What the walks through the trees know of each operand while the winding numbers at the roots
+   * are looked for. */
+  struct RootSearch
+  {
+    RootSearch(std::int32_t numberOfOperands, const ProbePlacement& placement)
+      : Relative(std::size_t(numberOfOperands), 0)
+      , LastSeen(std::size_t(numberOfOperands), -1)
+      , AtRoot(std::size_t(numberOfOperands), 0)
+      , Placement(placement)
+    {
+    }
+
+    std::vector<int> Relative; ///< winding numbers in front of the patch, less those at the root
+    std::vector<int> RelativeAtProbe; ///< the same of the patch that the tree asks at
+    std::vector<std::int32_t> LastSeen; ///< the last tree with a patch of the operand
+    std::vector<int> AtRoot; ///< of the operands in that tree
+    std::vector<std::int32_t> Present; ///< the operands in this tree
+    std::vector<Question> Checks; ///< of this tree
+    std::vector<Question> Questions; ///< of all trees
+    const ProbePlacement& Placement;
+  };
+
   void FindWindingsAtRoots()
   {
     this->ListMeetings();
-    std::vector<int> relative(std::size_t(this->NumberOfOperands), 0);
-    std::vector<std::int32_t> lastSeen(std::size_t(this->NumberOfOperands), -1);
-    std::vector<int> atRoot(std::size_t(this->NumberOfOperands), 0);
-    std::vector<Question> questions;
     const ProbePlacement placement(this->World, this->Cuts);
+    RootSearch search(this->NumberOfOperands, placement);
     for (std::size_t t = 0; t < this->Trees.size(); ++t)
     {
-      Tree& tree = this->Trees[t];
-      const auto stamp = static_cast<std::int32_t>(t);
-      std::vector<std::int32_t> present;
-      std::vector<Question> checks;
-      bool probeIsWhole = this->Patches[std::size_t(tree.Probed)].Region < 0;
-      std::vector<int> relativeAtProbe(relative);
-      this->Walk(tree, relative, [&](std::int32_t p) {
-        const Patch& patch = this->Patches[std::size_t(p)];
-        const auto operand = std::size_t(patch.Operand);
-        if (!probeIsWhole && patch.Region < 0)
-        {
-          // A face that nothing touches is the safest place to ask at.
-          probeIsWhole = true;
-          tree.Probed = p;
-          relativeAtProbe = relative;
-        }
-        this->ListChecks(t, p, relative, checks);
-        if (this->IsOpen(patch.Operand))
-        {
-          return;
-        }
-        if (lastSeen[operand] != stamp)
-        {
-          lastSeen[operand] = stamp;
-          atRoot[operand] = -relative[operand];
-          present.push_back(patch.Operand);
-          if (!this->IsSelf(patch.Operand) && atRoot[operand] != 0)
-          {
-            tree.AtRoot.push_back({ patch.Operand, atRoot[operand] });
-          }
-        }
-        else if (!this->IsSelf(patch.Operand) && atRoot[operand] != -relative[operand])
-        {
-          this->Result.SelfIntersecting[operand] = 1;
-        }
-      });
-      for (Question& check : checks)
+      this->SearchTree(t, search);
+      for (Question& check : search.Checks)
       {
-        check.Assumed = atRoot[std::size_t(check.Operand)];
-        this->CheckOrAsk(placement, check, questions);
+        check.Assumed = search.AtRoot[std::size_t(check.Operand)];
+        this->CheckOrAsk(placement, check, search.Questions);
       }
-      const Patch& probed = this->Patches[std::size_t(tree.Probed)];
-      if (!probeIsWhole && !placement.Place(probed.Face, probed.Region, 0))
+      this->AskAtProbe(t, search);
+    }
+    this->Ask(search.Questions);
+  }
+
+  /** Walk through a tree: which operands are in it, with which winding numbers at its root, where
+   * to ask, and what is to be checked. */
+  void SearchTree(std::size_t t, RootSearch& search)
+  {
+    Tree& tree = this->Trees[t];
+    search.Present.clear();
+    search.Checks.clear();
+    search.RelativeAtProbe = search.Relative;
+    bool probeIsWhole = this->Patches[std::size_t(tree.Probed)].Region < 0;
+    this->Walk(tree, search.Relative, [&](std::int32_t p) {
+      const Patch& patch = this->Patches[std::size_t(p)];
+      if (!probeIsWhole && patch.Region < 0)
       {
-        this->FindPlace(placement, tree, relative, relativeAtProbe);
+        // A face that nothing touches is the safest place to ask at.
+        probeIsWhole = true;
+        tree.Probed = p;
+        search.RelativeAtProbe = search.Relative;
       }
-      for (const std::int32_t operand : present)
+      this->ListChecks(t, p, search.Relative, search.Checks);
+      if (!this->IsOpen(patch.Operand))
       {
-        const auto index = std::size_t(operand);
-        questions.push_back({ t, tree.Probed, operand, relativeAtProbe[index],
-          !this->IsSelf(operand), atRoot[index] });
+        this->AssumeAtRoot(t, patch.Operand, search);
       }
-      for (std::int32_t operand = 0; operand < this->NumberOfOperands; ++operand)
+    });
+  }
+
+  /** In front of a clean operand's patch its winding number is 0, which tells it at the root. */
+  void AssumeAtRoot(std::size_t t, std::int32_t operand, RootSearch& search)
+  {
+    const auto index = std::size_t(operand);
+    const auto stamp = static_cast<std::int32_t>(t);
+    const int atRoot = -search.Relative[index];
+    if (search.LastSeen[index] != stamp)
+    {
+      search.LastSeen[index] = stamp;
+      search.AtRoot[index] = atRoot;
+      search.Present.push_back(operand);
+      if (!this->IsSelf(operand) && atRoot != 0)
       {
-        if (lastSeen[std::size_t(operand)] != stamp && !this->IsOpen(operand) &&
-          this->MayBeInside(this->Patches[std::size_t(tree.Probed)].Face, operand))
-        {
-          questions.push_back({ t, tree.Probed, operand, 0, false, 0 });
-        }
+        this->Trees[t].AtRoot.push_back({ operand, atRoot });
       }
     }
-    this->Ask(questions);
+    else if (!this->IsSelf(operand) && search.AtRoot[index] != atRoot)
+    {
+      this->Result.SelfIntersecting[index] = 1;
+    }
+  }
+
+  /** Ask every operand at the one place of the tree: to check those that are in it, to find the
+   * number of those that are not. */
+  void AskAtProbe(std::size_t t, RootSearch& search)
+  {
+    Tree& tree = this->Trees[t];
+    const Patch& probed = this->Patches[std::size_t(tree.Probed)];
+    if (probed.Region >= 0 && !search.Placement.Place(probed.Face, probed.Region, 0))
+    {
+      this->FindPlace(search.Placement, tree, search.Relative, search.RelativeAtProbe);
+    }
+    for (const std::int32_t operand : search.Present)
+    {
+      const auto index = std::size_t(operand);
+      search.Questions.push_back({ t, tree.Probed, operand, search.RelativeAtProbe[index],
+        !this->IsSelf(operand), search.AtRoot[index] });
+    }
+    const std::int32_t face = this->Patches[std::size_t(tree.Probed)].Face;
+    for (std::int32_t operand = 0; operand < this->NumberOfOperands; ++operand)
+    {
+      if (search.LastSeen[std::size_t(operand)] != static_cast<std::int32_t>(t) &&
+        !this->IsOpen(operand) && this->MayBeInside(face, operand))
+      {
+        search.Questions.push_back({ t, tree.Probed, operand, 0, false, 0 });
+      }
+    }
   }
 
   /** The other operands whose faces follow on those of a patch around an edge, as far as they are

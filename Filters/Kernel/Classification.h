@@ -23,8 +23,8 @@
  * The assumption that an operand is clean is checked for all that matters: each patch that meets
  * it asks for its winding number there. If that is not the assumed one, or neither 0 nor 1, or one
  * operand's numbers contradict each other, that operand overlaps itself there and is reported, to
- * be cut against itself. Where no such patch exists, self-overlaps of one operand lie away from all other surfaces and are
- * passed on as they are, which leaves the set of inner points right.
+ * be cut against itself. Where no such patch exists, self-overlaps of one operand lie away from all
+ * other surfaces and are passed on as they are, which leaves the set of inner points right.
  *
  * Open operands (sheets) have no winding number. Their front is outside and their back is inside,
  * where they meet another surface; elsewhere the sign of the distance to them decides (Quammen,

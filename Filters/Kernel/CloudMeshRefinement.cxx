@@ -120,9 +120,7 @@ private:
         this->IsEnd[static_cast<std::size_t>(ids[k])] = 1;
       }
     }
-    ParallelSort(
-      this->Edges, [](std::uint64_t a, std::uint64_t b) { return a < b; }, this->Threads);
-    this->Edges.erase(std::unique(this->Edges.begin(), this->Edges.end()), this->Edges.end());
+    ParallelSortUnique(this->Edges, this->Threads);
   }
 
   /** The middle of each edge, on the surface; edges whose middle is not near it are given up. */

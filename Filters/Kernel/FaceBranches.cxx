@@ -275,9 +275,7 @@ private:
       this->Edges.push_back(from);
       this->Edges.push_back(to);
     }
-    ParallelSort(
-      this->Edges, [](const Edge& a, const Edge& b) { return a < b; }, this->Threads);
-    this->Edges.erase(std::unique(this->Edges.begin(), this->Edges.end()), this->Edges.end());
+    ParallelSortUnique(this->Edges, this->Threads);
     this->Next.assign(this->Edges.size(), -1);
     for (const auto& [from, to] : segments)
     {

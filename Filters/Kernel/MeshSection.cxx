@@ -188,9 +188,7 @@ private:
         }
       }
     }
-    ParallelSort(
-      this->Edges, [](std::uint64_t a, std::uint64_t b) { return a < b; }, this->Threads);
-    this->Edges.erase(std::unique(this->Edges.begin(), this->Edges.end()), this->Edges.end());
+    ParallelSortUnique(this->Edges, this->Threads);
   }
 
   std::int32_t EdgeOf(std::int32_t a, std::int32_t b) const

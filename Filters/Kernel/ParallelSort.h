@@ -154,6 +154,15 @@ void ParallelSort(std::vector<T>& values, Less less, Executor& executor)
   }
 }
 
+/** Sort, and keep each value once. */
+template <class T>
+void ParallelSortUnique(std::vector<T>& values, Executor& executor)
+{
+  ParallelSort(
+    values, [](const T& a, const T& b) { return a < b; }, executor);
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
 /**
  * Stable sort by the `bits` lowest bits of key(value), an unsigned integer of 64 bits. Least
  * significant digit first; digits that all keys share cost a count only. Takes as much memory again

@@ -262,10 +262,7 @@ void PatchQuadtree::ListVertices()
       this->Vertices.push_back(KeyOf(cell.U + (corner % 2) * size, cell.V + (corner / 2) * size));
     }
   }
-  ParallelSort(
-    this->Vertices, [](std::uint64_t a, std::uint64_t b) { return a < b; }, this->Threads);
-  this->Vertices.erase(
-    std::unique(this->Vertices.begin(), this->Vertices.end()), this->Vertices.end());
+  ParallelSortUnique(this->Vertices, this->Threads);
 }
 
 void PatchQuadtree::AddSide(

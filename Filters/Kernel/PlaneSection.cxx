@@ -46,13 +46,6 @@ struct Seed
 constexpr std::int32_t CornerU[4] = { 0, 1, 1, 0 };
 constexpr std::int32_t CornerV[4] = { 0, 0, 1, 1 };
 
-void SortUnique(std::vector<Square>& squares, Executor& executor)
-{
-  ParallelSort(
-    squares, [](const Square& a, const Square& b) { return a < b; }, executor);
-  squares.erase(std::unique(squares.begin(), squares.end()), squares.end());
-}
-
 /** All steps and what they share. */
 class Sectioning
 {
@@ -177,7 +170,7 @@ private:
         }
       }
     }
-    SortUnique(halves, this->Threads);
+    ParallelSortUnique(halves, this->Threads);
     this->Squares.swap(halves);
     this->Nodes.clear();
     this->Edge *= 0.5;
@@ -251,7 +244,7 @@ private:
         }
       }
     }
-    SortUnique(this->Squares, this->Threads);
+    ParallelSortUnique(this->Squares, this->Threads);
   }
 
   std::size_t NumberOf(const Square& node) const
@@ -269,7 +262,7 @@ private:
         this->Nodes.push_back({ square.U + CornerU[corner], square.V + CornerV[corner] });
       }
     }
-    SortUnique(this->Nodes, this->Threads);
+    ParallelSortUnique(this->Nodes, this->Threads);
     this->Values.resize(this->Nodes.size());
     const double none = std::numeric_limits<double>::quiet_NaN();
     this->Threads.For(static_cast<std::int64_t>(this->Nodes.size()), Grain,

@@ -326,9 +326,7 @@ private:
         }
       }
     }
-    ParallelSort(
-      this->Marked, [](std::uint64_t a, std::uint64_t b) { return a < b; }, this->Threads);
-    this->Marked.erase(std::unique(this->Marked.begin(), this->Marked.end()), this->Marked.end());
+    ParallelSortUnique(this->Marked, this->Threads);
     return !this->Marked.empty();
   }
 

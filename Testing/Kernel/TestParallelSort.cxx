@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <numeric>
 #include <random>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -91,6 +92,22 @@ void ParallelSortIsASort(sb::Executor& executor)
       sb::ParallelSort(values, std::greater<>(), executor);
       CHECK(values == expected);
     }
+  }
+}
+
+void SortUniqueKeepsEachValueOnce(sb::Executor& executor)
+{
+  std::mt19937_64 random(4);
+  for (const std::size_t size : Sizes)
+  {
+    std::vector<std::int32_t> values(size);
+    for (std::int32_t& value : values)
+    {
+      value = static_cast<std::int32_t>(random() % (size / 3 + 1));
+    }
+    const std::set<std::int32_t> expected(values.begin(), values.end());
+    sb::ParallelSortUnique(values, executor);
+    CHECK(std::equal(values.begin(), values.end(), expected.begin(), expected.end()));
   }
 }
 
@@ -173,6 +190,7 @@ int main()
     LoopsNest(executor);
     AnExceptionReachesTheCaller(executor);
     RadixSortIsAStableSort(executor);
+    SortUniqueKeepsEachValueOnce(executor);
     ParallelSortIsASort(executor);
     PrefixSumIsExclusive(executor);
   }

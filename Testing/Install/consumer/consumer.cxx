@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) SurfaceBooleans developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A program that uses the installed library: the volume of a cube with a cube taken out of its middle.
+// A program that uses the installed library: the volume of a cube with a cube taken out of its
+// middle.
 
 #include "vtkCubeSource.h"
 #include "vtkDataArray.h"
