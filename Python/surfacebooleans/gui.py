@@ -171,8 +171,9 @@ def clip(sources=None):
 def live_tool(operation="Difference", sources=None):
     """A Boolean whose Tool one can drag: move the box in the view, and the result follows.
 
-    The Tool goes through a Transform, which becomes the active source, so that its box is in the view; Auto Apply is switched
-    on, as by the button beside Apply.
+    The Tool goes through a Transform, which becomes the active source, so that its box is in the view: drag it with the middle
+    mouse button, or by its handles with the left one. Auto Apply is switched on, as by the button beside Apply. Where there is no
+    graphics card the view is drawn without smoothed edges, in about half of the time.
 
     Parameters
     ----------
@@ -195,6 +196,8 @@ def live_tool(operation="Difference", sources=None):
         display = simple.Show(moved, _view())
         display.Representation = "Wireframe"  # drawn faster than what is seen through
         _paint(display, RED)
+        if _is_drawn_by_software(_view()):
+            _view().UseFXAA = 0
     simple.GetSettingsProxy("GeneralSettings").AutoApply = 1
     return _finished(moved)
 
@@ -484,6 +487,10 @@ def _paint(display, colour):
     """One colour for all of it."""
     display.ColorArrayName = ["POINTS", ""]
     display.AmbientColor = display.DiffuseColor = colour
+
+
+def _is_drawn_by_software(view):
+    return "llvmpipe" in view.GetRenderWindow().ReportCapabilities()
 
 
 def _colour_about_zero(display, array, data, view):
