@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Where memory runs out every filter ends in one error, whichever of its blocks is the one that it does not get.
 
-What has to be tried may crash, so it runs in processes of its own, forked from one in which everything is loaded.
+What has to be tried may crash, so it runs in processes of its own.
 """
 
 import ctypes
@@ -17,6 +17,7 @@ import sys
 import pytest
 
 from every_filter import FILTERS, OUT_OF_MEMORY, content, is_empty, run, status
+from processes import in_another_process
 
 LEAST_BLOCK = 16384  # bytes: VTK, Python and Open CASCADE themselves do not bear being refused less
 LEAST_ALLOWED = 1 << 20  # bytes, under a limit, for the same reason
@@ -25,20 +26,6 @@ SHARES = (0.01, 0.1, 0.3, 2.0)  # of the memory that the filter takes if it may
 
 # Open CASCADE turns some refusals into failures of other kinds, or does without.
 OWN_ANSWERS = {"NURBSReader"}
-
-
-def in_another_process(task):
-    """What the task returns; None if it crashed."""
-    reading, writing = os.pipe()
-    process = os.fork()
-    if process == 0:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
-        os.write(writing, json.dumps(task()).encode())
-        os._exit(0)
-    os.close(writing)
-    with os.fdopen(reading) as answer:
-        text = answer.read()
-    return json.loads(text) if os.waitpid(process, 0)[1] == 0 else None
 
 
 def memory(kind):

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Claims about damaged files: read ends in a surface or a sentence, and so do the filters with what was read."""
 
-import json
 import os
 import random
 import struct
@@ -20,6 +19,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 import booleans
 import meshes
 from every_filter import with_arrays
+from processes import in_another_process
 
 ASCII, BINARY = 1, 2  # file types of VTK's writers
 WRITTEN = {
@@ -88,20 +88,6 @@ def outcome(path, other):
         except sb.SurfaceBooleansError as error:
             sentences.append(str(error))
     return sentences
-
-
-def in_another_process(task):
-    """What the task returns; None if it crashed."""
-    reading, writing = os.pipe()
-    process = os.fork()
-    if process == 0:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
-        os.write(writing, json.dumps(task()).encode())
-        os._exit(0)
-    os.close(writing)
-    with os.fdopen(reading) as answer:
-        text = answer.read()
-    return json.loads(text) if os.waitpid(process, 0)[1] == 0 else None
 
 
 @pytest.mark.parametrize("name", WRITTEN)
