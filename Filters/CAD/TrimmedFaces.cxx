@@ -267,13 +267,19 @@ private:
     return largest;
   }
 
+  /** Whether a face is on the other side of a chain, too: what is there may have been left out. */
+  bool HasTwin(const FaceChain& chain) const
+  {
+    return chain.Twin >= 0 && this->FaceOfChain[static_cast<std::size_t>(chain.Twin)] >= 0;
+  }
+
   void MakeEdges()
   {
     this->Edges.resize(this->Found.Chains.size());
     for (std::size_t i = 0; i < this->Found.Chains.size(); ++i)
     {
       const FaceChain& chain = this->Found.Chains[i];
-      const bool isFirst = chain.Twin < 0 || static_cast<std::int32_t>(i) < chain.Twin;
+      const bool isFirst = !this->HasTwin(chain) || static_cast<std::int32_t>(i) < chain.Twin;
       if (this->FaceOfChain[i] < 0 || !isFirst)
       {
         continue;
@@ -316,7 +322,7 @@ private:
     TopoDS_Edge& edge = this->Edges[i];
     this->Builder.MakeEdge(edge, inSpace, leastTolerance);
     const std::size_t twin = static_cast<std::size_t>(chain.Twin);
-    const bool hasTwin = chain.Twin >= 0 && this->FaceOfChain[twin] >= 0;
+    const bool hasTwin = this->HasTwin(chain);
     if (hasTwin)
     {
       const Handle(Geom2d_BSplineCurve) inTwin =
@@ -370,11 +376,10 @@ private:
     sb::DisjointSets sets(static_cast<std::int32_t>(this->Faces.size()));
     for (std::size_t i = 0; i < this->Found.Chains.size(); ++i)
     {
-      const std::int32_t twin = this->Found.Chains[i].Twin;
-      if (twin >= 0 && this->FaceOfChain[i] >= 0 &&
-        this->FaceOfChain[static_cast<std::size_t>(twin)] >= 0)
+      const FaceChain& chain = this->Found.Chains[i];
+      if (this->FaceOfChain[i] >= 0 && this->HasTwin(chain))
       {
-        sets.Unite(this->FaceOfChain[i], this->FaceOfChain[static_cast<std::size_t>(twin)]);
+        sets.Unite(this->FaceOfChain[i], this->FaceOfChain[static_cast<std::size_t>(chain.Twin)]);
       }
     }
     std::map<std::int32_t, std::vector<std::size_t>> groups;
@@ -397,7 +402,7 @@ private:
       return std::all_of(loops.begin(), loops.end(), [this](std::size_t loop) {
         const std::vector<std::int32_t>& chains = this->Found.Loops[loop].Chains;
         return std::all_of(chains.begin(), chains.end(), [this](std::int32_t chain) {
-          return this->Chain(chain).IsPole || this->Chain(chain).Twin >= 0;
+          return this->Chain(chain).IsPole || this->HasTwin(this->Chain(chain));
         });
       });
     });
@@ -418,6 +423,7 @@ TrimmedFaces ShapeBuilder::MakeShells()
 {
   TrimmedFaces result;
   result.NumberOfFaces = static_cast<std::int64_t>(this->Faces.size());
+  result.NumberOfUnfitPatches = static_cast<std::int64_t>(this->Found.Unfit.size());
   if (this->Faces.empty())
   {
     return result;

@@ -26,6 +26,8 @@ struct TrimmedFaces
   std::int64_t NumberOfFaces = 0;
   std::int64_t NumberOfSolids = 0;
   std::int64_t NumberOfOpenShells = 0;
+  /** Patches that are left out, as their facets do not fit together in the parameters. */
+  std::int64_t NumberOfUnfitPatches = 0;
 };
 
 /** To be called in a session (CADSession.h). Facets whose FaceId is negative are left out. */

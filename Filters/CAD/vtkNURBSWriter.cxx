@@ -17,10 +17,27 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <new>
 #include <string>
 
 vtkStandardNewMacro(vtkNURBSWriter);
+
+namespace
+{
+
+const std::string misfit = "whose facets do not fit together in u and v";
+const std::string remedy = "choose the surface as it came from the file or from a Boolean.";
+
+/** What is said of a file without faces. */
+std::string NoFaces(std::int64_t unfit)
+{
+  return unfit == 0
+    ? "would have no faces; there are no facets on exact surfaces in Input."
+    : "would have no faces, for Input has only exact surfaces " + misfit + "; " + remedy;
+}
+
+} // namespace
 
 //------------------------------------------------------------------------------
 vtkNURBSWriter::vtkNURBSWriter()
@@ -122,9 +139,8 @@ void vtkNURBSWriter::WriteWhole(vtkDataObject* data)
   const sbvtk::CADOutcome outcome =
     sbvtk::RunCAD(monitor, 0.0, 1.0, "Write file", [&](const Message_ProgressRange& progress) {
       faces = sbvtk::MakeTrimmedFaces(surface);
-      failure = faces.Shape.IsNull()
-        ? "would have no faces; there are no facets on exact surfaces in Input."
-        : sbvtk::WriteSTEPFile(this->FileName, faces.Shape, progress);
+      failure = faces.Shape.IsNull() ? NoFaces(faces.NumberOfUnfitPatches)
+                                     : sbvtk::WriteSTEPFile(this->FileName, faces.Shape, progress);
     });
   if (outcome.Status == sbvtk::CADStatus::Aborted)
   {
@@ -148,6 +164,11 @@ void vtkNURBSWriter::WriteWhole(vtkDataObject* data)
   this->NumberOfFaces = static_cast<int>(faces.NumberOfFaces);
   this->NumberOfSolids = static_cast<int>(faces.NumberOfSolids);
   this->NumberOfOpenShells = static_cast<int>(faces.NumberOfOpenShells);
+  if (faces.NumberOfUnfitPatches > 0)
+  {
+    vtkWarningMacro(<< "Input has " << faces.NumberOfUnfitPatches << " exact surfaces " << misfit
+                    << ", which are left out; " << remedy);
+  }
   const auto without = std::count_if(
     surface.FaceId.begin(), surface.FaceId.end(), [](std::int32_t face) { return face < 0; });
   if (without > 0)
