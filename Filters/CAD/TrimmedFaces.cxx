@@ -33,6 +33,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <vector>
 
@@ -107,6 +108,10 @@ private:
         this->Faces[static_cast<std::size_t>(around)].Loops.push_back(i);
       }
     }
+    const auto round = std::remove_if(this->Faces.begin(), this->Faces.end(),
+      [this](const Face& face) { return face.Loops.size() > 1 && this->IsRound(face); });
+    this->NumberOfRoundFaces = std::distance(round, this->Faces.end());
+    this->Faces.erase(round, this->Faces.end());
     for (std::size_t face = 0; face < this->Faces.size(); ++face)
     {
       for (const std::size_t loop : this->Faces[face].Loops)
@@ -117,6 +122,35 @@ private:
         }
       }
     }
+  }
+
+  /** Whether the outer border is nothing but a seam, there and back from pole to pole. */
+  bool IsRound(const Face& face) const
+  {
+    std::vector<std::int32_t> chains;
+    for (const std::int32_t chain : this->Found.Loops[face.Loops.front()].Chains)
+    {
+      if (!this->Chain(chain).IsPole)
+      {
+        chains.push_back(chain);
+      }
+    }
+    const std::size_t count = chains.size();
+    for (std::size_t start = 0; start < count; ++start)
+    {
+      bool returns = true;
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        returns = returns &&
+          this->Chain(chains[(start + i) % count]).Twin ==
+            chains[(start + 2 * count - 1 - i) % count];
+      }
+      if (returns)
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** The face whose outer loop is the smallest around a hole; -1 if none is. */
@@ -415,6 +449,7 @@ private:
   std::vector<std::int32_t> FaceOfChain; // -1: of none
   BRep_Builder Builder;
   std::vector<Face> Faces;
+  std::int64_t NumberOfRoundFaces = 0;
   std::vector<TopoDS_Edge> Edges; // of each chain; null where it is that of the twin
   std::map<std::int32_t, TopoDS_Vertex> Vertices; // of each place
 };
@@ -424,6 +459,7 @@ TrimmedFaces ShapeBuilder::MakeShells()
   TrimmedFaces result;
   result.NumberOfFaces = static_cast<std::int64_t>(this->Faces.size());
   result.NumberOfUnfitPatches = static_cast<std::int64_t>(this->Found.Unfit.size());
+  result.NumberOfRoundFaces = this->NumberOfRoundFaces;
   if (this->Faces.empty())
   {
     return result;

@@ -228,6 +228,18 @@ def test_facets_that_overlap_in_their_parameters_are_left_out(tmp_path):
     assert said.failed and len(said.errors) == 1 and "u and v" in said.errors[0]
 
 
+def test_a_sphere_with_a_hole_in_it_is_left_out(tmp_path):
+    """Read again it would be the cap that was taken out of it."""
+    first = cad.read(made(tmp_path, "sphere", 3.0), ChordError=5e-4)
+    left = first.body.points[first.body.triangles][:, :, 0].min(axis=1) > -2.5
+    said = write(taken(first.data, left), tmp_path / "holed.step")
+    assert said.failed and len(said.errors) == 1 and "holes" in said.errors[0]
+    through = left & (first.body.points[first.body.triangles][:, :, 2].max(axis=1) < 2.5)
+    said, again = written_and_read(taken(first.data, through), tmp_path, ChordError=5e-4)
+    kept = type(first.body)(first.body.points, first.body.triangles[through])
+    assert said.faces == 1 and measures.area(again.body) == pytest.approx(measures.area(kept), rel=4e-3)
+
+
 def wall_of(read):
     return np.bincount(read.cell_data["FaceId"]).argmax()
 
