@@ -20,6 +20,10 @@ using sb::Real3;
 // Edges of facets turn by half a radian at most where the face's edge is smooth.
 constexpr double cosineOfCorner = 0.8;
 
+// What is left of the facets' areas in the parameters if those that are turned over are taken off:
+// slender ones are, where a seam bends; all are, where a cylinder's facets do not end at its seam.
+constexpr double leastUprightShare = 0.5;
+
 /** A side of one facet that no other facet of its face has. */
 struct Side
 {
@@ -68,7 +72,9 @@ public:
     this->JoinSides();
     this->FindTwins();
     this->DivideIntoChains();
-    return this->Collect();
+    FaceLoops result = this->Collect();
+    this->DropUnfit(result);
+    return result;
   }
 
 private:
@@ -332,8 +338,7 @@ private:
   {
     FaceLoop loop;
     loop.Face = this->At(start).Face;
-    const double u = this->U(this->At(start).From);
-    const double v = this->V(this->At(start).From);
+    const std::int32_t first = this->At(start).From;
     std::int32_t k = start;
     for (; k >= 0 && chainOf[static_cast<std::size_t>(k)] < 0; k = this->At(k).Next)
     {
@@ -352,14 +357,63 @@ private:
       chain.Points.push_back(side.To);
       chain.Places.push_back(this->Place(side.To));
       chainOf[static_cast<std::size_t>(k)] = loop.Chains.back();
-      loop.Area += 0.5 *
-        ((this->U(side.From) - u) * (this->V(side.To) - v) -
-          (this->U(side.To) - u) * (this->V(side.From) - v));
+      loop.Area += this->AreaBetween(first, side.From, side.To);
     }
     if (k == start)
     {
       result.Loops.push_back(loop);
     }
+    else
+    {
+      result.Unfit.push_back(loop.Face);
+    }
+  }
+
+  void DropUnfit(FaceLoops& result) const
+  {
+    const std::vector<std::int32_t> covered = this->FacesThatCoverThemselves();
+    std::vector<std::int32_t>& unfit = result.Unfit;
+    unfit.insert(unfit.end(), covered.begin(), covered.end());
+    std::sort(unfit.begin(), unfit.end());
+    unfit.erase(std::unique(unfit.begin(), unfit.end()), unfit.end());
+    result.Loops.erase(std::remove_if(result.Loops.begin(), result.Loops.end(),
+                         [&](const FaceLoop& loop) {
+                           return std::binary_search(unfit.begin(), unfit.end(), loop.Face);
+                         }),
+      result.Loops.end());
+  }
+
+  std::vector<std::int32_t> FacesThatCoverThemselves() const
+  {
+    std::vector<double> areas(this->Surface.Patches.size(), 0.0);
+    std::vector<double> sizes(this->Surface.Patches.size(), 0.0);
+    for (std::size_t i = 0; i < this->Surface.FaceId.size(); ++i)
+    {
+      if (this->Surface.FaceId[i] >= 0)
+      {
+        const std::int32_t* const corners = this->Surface.Triangles.data() + 3 * i;
+        const double area = this->AreaBetween(corners[0], corners[1], corners[2]);
+        areas[static_cast<std::size_t>(this->Surface.FaceId[i])] += area;
+        sizes[static_cast<std::size_t>(this->Surface.FaceId[i])] += std::abs(area);
+      }
+    }
+    std::vector<std::int32_t> found;
+    for (std::size_t face = 0; face < areas.size(); ++face)
+    {
+      if (areas[face] < leastUprightShare * sizes[face])
+      {
+        found.push_back(static_cast<std::int32_t>(face));
+      }
+    }
+    return found;
+  }
+
+  /** In the parameters; negative if clockwise. */
+  double AreaBetween(std::int32_t a, std::int32_t b, std::int32_t c) const
+  {
+    return 0.5 *
+      ((this->U(b) - this->U(a)) * (this->V(c) - this->V(a)) -
+        (this->U(c) - this->U(a)) * (this->V(b) - this->V(a)));
   }
 
   const sb::DesignedSurface& Surface;

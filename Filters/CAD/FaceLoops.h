@@ -44,6 +44,9 @@ struct FaceLoops
 {
   std::vector<FaceChain> Chains;
   std::vector<FaceLoop> Loops; ///< in the order of the faces
+  /** Faces whose facets do not fit together in their parameters, as they cover each other there or
+   * a loop is not closed; they have no loops. */
+  std::vector<std::int32_t> Unfit;
 };
 
 /** Facets whose FaceId is negative are left out. */

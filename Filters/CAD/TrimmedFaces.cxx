@@ -33,6 +33,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <vector>
 
@@ -107,6 +108,10 @@ private:
         this->Faces[static_cast<std::size_t>(around)].Loops.push_back(i);
       }
     }
+    const auto round = std::remove_if(this->Faces.begin(), this->Faces.end(),
+      [this](const Face& face) { return face.Loops.size() > 1 && this->IsRound(face); });
+    this->NumberOfRoundFaces = std::distance(round, this->Faces.end());
+    this->Faces.erase(round, this->Faces.end());
     for (std::size_t face = 0; face < this->Faces.size(); ++face)
     {
       for (const std::size_t loop : this->Faces[face].Loops)
@@ -117,6 +122,35 @@ private:
         }
       }
     }
+  }
+
+  /** Whether the outer border is nothing but a seam, there and back from pole to pole. */
+  bool IsRound(const Face& face) const
+  {
+    std::vector<std::int32_t> chains;
+    for (const std::int32_t chain : this->Found.Loops[face.Loops.front()].Chains)
+    {
+      if (!this->Chain(chain).IsPole)
+      {
+        chains.push_back(chain);
+      }
+    }
+    const std::size_t count = chains.size();
+    for (std::size_t start = 0; start < count; ++start)
+    {
+      bool returns = true;
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        returns = returns &&
+          this->Chain(chains[(start + i) % count]).Twin ==
+            chains[(start + 2 * count - 1 - i) % count];
+      }
+      if (returns)
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** The face whose outer loop is the smallest around a hole; -1 if none is. */
@@ -267,13 +301,19 @@ private:
     return largest;
   }
 
+  /** Whether a face is on the other side of a chain, too: what is there may have been left out. */
+  bool HasTwin(const FaceChain& chain) const
+  {
+    return chain.Twin >= 0 && this->FaceOfChain[static_cast<std::size_t>(chain.Twin)] >= 0;
+  }
+
   void MakeEdges()
   {
     this->Edges.resize(this->Found.Chains.size());
     for (std::size_t i = 0; i < this->Found.Chains.size(); ++i)
     {
       const FaceChain& chain = this->Found.Chains[i];
-      const bool isFirst = chain.Twin < 0 || static_cast<std::int32_t>(i) < chain.Twin;
+      const bool isFirst = !this->HasTwin(chain) || static_cast<std::int32_t>(i) < chain.Twin;
       if (this->FaceOfChain[i] < 0 || !isFirst)
       {
         continue;
@@ -316,7 +356,7 @@ private:
     TopoDS_Edge& edge = this->Edges[i];
     this->Builder.MakeEdge(edge, inSpace, leastTolerance);
     const std::size_t twin = static_cast<std::size_t>(chain.Twin);
-    const bool hasTwin = chain.Twin >= 0 && this->FaceOfChain[twin] >= 0;
+    const bool hasTwin = this->HasTwin(chain);
     if (hasTwin)
     {
       const Handle(Geom2d_BSplineCurve) inTwin =
@@ -370,11 +410,10 @@ private:
     sb::DisjointSets sets(static_cast<std::int32_t>(this->Faces.size()));
     for (std::size_t i = 0; i < this->Found.Chains.size(); ++i)
     {
-      const std::int32_t twin = this->Found.Chains[i].Twin;
-      if (twin >= 0 && this->FaceOfChain[i] >= 0 &&
-        this->FaceOfChain[static_cast<std::size_t>(twin)] >= 0)
+      const FaceChain& chain = this->Found.Chains[i];
+      if (this->FaceOfChain[i] >= 0 && this->HasTwin(chain))
       {
-        sets.Unite(this->FaceOfChain[i], this->FaceOfChain[static_cast<std::size_t>(twin)]);
+        sets.Unite(this->FaceOfChain[i], this->FaceOfChain[static_cast<std::size_t>(chain.Twin)]);
       }
     }
     std::map<std::int32_t, std::vector<std::size_t>> groups;
@@ -397,7 +436,7 @@ private:
       return std::all_of(loops.begin(), loops.end(), [this](std::size_t loop) {
         const std::vector<std::int32_t>& chains = this->Found.Loops[loop].Chains;
         return std::all_of(chains.begin(), chains.end(), [this](std::int32_t chain) {
-          return this->Chain(chain).IsPole || this->Chain(chain).Twin >= 0;
+          return this->Chain(chain).IsPole || this->HasTwin(this->Chain(chain));
         });
       });
     });
@@ -410,6 +449,7 @@ private:
   std::vector<std::int32_t> FaceOfChain; // -1: of none
   BRep_Builder Builder;
   std::vector<Face> Faces;
+  std::int64_t NumberOfRoundFaces = 0;
   std::vector<TopoDS_Edge> Edges; // of each chain; null where it is that of the twin
   std::map<std::int32_t, TopoDS_Vertex> Vertices; // of each place
 };
@@ -418,6 +458,8 @@ TrimmedFaces ShapeBuilder::MakeShells()
 {
   TrimmedFaces result;
   result.NumberOfFaces = static_cast<std::int64_t>(this->Faces.size());
+  result.NumberOfUnfitPatches = static_cast<std::int64_t>(this->Found.Unfit.size());
+  result.NumberOfRoundFaces = this->NumberOfRoundFaces;
   if (this->Faces.empty())
   {
     return result;

@@ -26,6 +26,12 @@ struct TrimmedFaces
   std::int64_t NumberOfFaces = 0;
   std::int64_t NumberOfSolids = 0;
   std::int64_t NumberOfOpenShells = 0;
+  /** Patches that are left out, as their facets do not fit together in the parameters. */
+  std::int64_t NumberOfUnfitPatches = 0;
+  /** Faces that are left out, as all of their patch is left but for holes, and that closes around
+   * as a sphere does: Open CASCADE writes a point for the outer border then, and reads that as
+   * none, so that the face would come back as its holes. */
+  std::int64_t NumberOfRoundFaces = 0;
 };
 
 /** To be called in a session (CADSession.h). Facets whose FaceId is negative are left out. */

@@ -19,8 +19,41 @@
 #include <algorithm>
 #include <new>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkNURBSWriter);
+
+namespace
+{
+
+/** What is left out, a sentence each. */
+std::vector<std::string> LeftOut(const sbvtk::TrimmedFaces& faces)
+{
+  std::vector<std::string> sentences;
+  if (faces.NumberOfUnfitPatches > 0)
+  {
+    sentences.push_back("Input has " + std::to_string(faces.NumberOfUnfitPatches) +
+      " exact surfaces whose facets do not fit together in u and v, which are left out; choose the "
+      "surface as it came from the file or from a Boolean.");
+  }
+  if (faces.NumberOfRoundFaces > 0)
+  {
+    sentences.push_back("Input has " + std::to_string(faces.NumberOfRoundFaces) +
+      " faces that close around, as a sphere does, but for holes, which are left out as STEP files "
+      "with them are misread; divide the body through the holes first, with Closed Surface Clip.");
+  }
+  return sentences;
+}
+
+/** What is said of a file without faces. */
+std::string NoFaces(const sbvtk::TrimmedFaces& faces)
+{
+  const std::vector<std::string> sentences = LeftOut(faces);
+  return "would have no faces; " +
+    (sentences.empty() ? "there are no facets on exact surfaces in Input." : sentences.front());
+}
+
+} // namespace
 
 //------------------------------------------------------------------------------
 vtkNURBSWriter::vtkNURBSWriter()
@@ -122,9 +155,8 @@ void vtkNURBSWriter::WriteWhole(vtkDataObject* data)
   const sbvtk::CADOutcome outcome =
     sbvtk::RunCAD(monitor, 0.0, 1.0, "Write file", [&](const Message_ProgressRange& progress) {
       faces = sbvtk::MakeTrimmedFaces(surface);
-      failure = faces.Shape.IsNull()
-        ? "would have no faces; there are no facets on exact surfaces in Input."
-        : sbvtk::WriteSTEPFile(this->FileName, faces.Shape, progress);
+      failure = faces.Shape.IsNull() ? NoFaces(faces)
+                                     : sbvtk::WriteSTEPFile(this->FileName, faces.Shape, progress);
     });
   if (outcome.Status == sbvtk::CADStatus::Aborted)
   {
@@ -148,6 +180,10 @@ void vtkNURBSWriter::WriteWhole(vtkDataObject* data)
   this->NumberOfFaces = static_cast<int>(faces.NumberOfFaces);
   this->NumberOfSolids = static_cast<int>(faces.NumberOfSolids);
   this->NumberOfOpenShells = static_cast<int>(faces.NumberOfOpenShells);
+  for (const std::string& sentence : LeftOut(faces))
+  {
+    vtkWarningMacro(<< sentence);
+  }
   const auto without = std::count_if(
     surface.FaceId.begin(), surface.FaceId.end(), [](std::int32_t face) { return face < 0; });
   if (without > 0)

@@ -5,6 +5,7 @@
 #include "BorderEdges.h"
 #include "ClosestOnPatch.h"
 #include "CloudMeshRefinement.h"
+#include "FacePoints.h"
 #include "Ingest.h"
 #include "MeshParts.h"
 #include "OpenScanBoolean.h"
@@ -18,7 +19,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -460,28 +460,13 @@ private:
   /** Give each face of the tool, and the cloud, points of their own. */
   void SeparateFaces()
   {
-    CombinedMesh& mesh = this->Result.Mesh;
-    std::vector<std::int32_t>& corners = mesh.Triangles;
-    constexpr std::int32_t unknown = -2;
-    std::vector<std::int32_t> faceOf(mesh.OriginalPoint.size(), unknown);
-    std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> others;
-    for (std::size_t corner = 0; corner < corners.size(); ++corner)
+    FacePoints found = FindFacePoints(this->Result.Mesh, *this->Tool);
+    for (const std::int32_t point : found.Repeated)
     {
-      const std::int32_t point = corners[corner];
-      const std::int32_t face = this->Result.FaceId[corner / 3];
-      std::int32_t& first = faceOf[static_cast<std::size_t>(point)];
-      first = first == unknown ? face : first;
-      if (first != face)
-      {
-        const auto found = others.emplace(std::make_pair(point, face), mesh.NumberOfPoints());
-        if (found.second)
-        {
-          this->RepeatPoint(static_cast<std::size_t>(point));
-        }
-        corners[corner] = found.first->second;
-      }
+      this->RepeatPoint(static_cast<std::size_t>(point));
     }
-    this->FillParameters();
+    this->Result.Mesh.Triangles.swap(found.Triangles);
+    this->FillParameters(found);
   }
 
   void RepeatPoint(std::size_t point)
@@ -499,32 +484,30 @@ private:
   }
 
   /** u, v and the normal of the patch, of points that belong to one face each. */
-  void FillParameters()
+  void FillParameters(const FacePoints& found)
   {
     const CombinedMesh& mesh = this->Result.Mesh;
     this->Result.UV.assign(2 * mesh.OriginalPoint.size(), None);
-    std::vector<std::int32_t> triangleOf(mesh.OriginalPoint.size(), -1);
-    for (std::size_t corner = 0; corner < mesh.Triangles.size(); ++corner)
-    {
-      if (this->Result.FaceId[corner / 3] >= 0)
-      {
-        triangleOf[static_cast<std::size_t>(mesh.Triangles[corner])] =
-          static_cast<std::int32_t>(corner / 3);
-      }
-    }
     this->ForPoints([&](std::size_t i, auto&) {
-      if (triangleOf[i] < 0)
+      const std::int32_t triangle = found.TriangleOnFace[i];
+      if (triangle < 0)
       {
         return;
       }
-      const std::size_t t = static_cast<std::size_t>(triangleOf[i]);
-      const std::array<double, 2> uv =
-        this->ParametersOf(mesh.Parent[t], mesh.Point(static_cast<std::int32_t>(i)));
+      const NURBSSurface& patch =
+        this->Tool->PatchOf(mesh.Parent[static_cast<std::size_t>(triangle)]);
+      std::array<double, 2> uv = found.UV[i];
+      if (!found.IsExact[i]) // at a pole there is more than one answer
+      {
+        const PlaceOnPatch place =
+          ClosestOnPatchFrom(patch, mesh.Point(static_cast<std::int32_t>(i)), uv[0], uv[1]);
+        uv = { place.U, place.V };
+      }
       std::copy_n(uv.begin(), 2, this->Result.UV.begin() + 2 * static_cast<std::ptrdiff_t>(i));
-      const PatchPoint on = EvaluatePatch(this->Tool->PatchOf(mesh.Parent[t]), uv[0], uv[1], 1);
+      const PatchPoint on = EvaluatePatch(patch, uv[0], uv[1], 1);
       const Real3 across = Cross(on.Du, on.Dv);
       const double length = Length(across);
-      const Real3 front = this->FrontOf(static_cast<std::int32_t>(t));
+      const Real3 front = this->FrontOf(triangle);
       if (length > 0.0)
       {
         const Real3 normal = Scaled(across, (Dot(across, front) < 0.0 ? -1.0 : 1.0) / length);

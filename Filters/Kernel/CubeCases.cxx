@@ -77,35 +77,44 @@ std::array<int, 12> Successors(int inside)
   return next;
 }
 
-/** Fill the part of a loop from its corner `first` to `last`, whose chord is an edge already. */
-bool Fill(const std::vector<int>& loop, std::size_t first, std::size_t last,
-  std::vector<CubeTriangle>& triangles)
+/** All ways to fill the part of a loop from its corner `first` to `last`, whose chord is an edge
+ * already. */
+std::vector<CubeFill> Fills(const std::vector<int>& loop, std::size_t first, std::size_t last)
 {
   if (last - first < 2)
   {
-    return true;
+    return { CubeFill{} };
   }
   const auto mayJoin = [&](std::size_t a, std::size_t b) {
     return b - a == 1 || !LieOnOneFace(loop[a], loop[b]);
   };
-  const std::size_t known = triangles.size();
+  std::vector<CubeFill> fills;
   for (std::size_t apex = first + 1; apex < last; ++apex)
   {
-    if (mayJoin(first, apex) && mayJoin(apex, last) && Fill(loop, first, apex, triangles) &&
-      Fill(loop, apex, last, triangles))
+    if (!mayJoin(first, apex) || !mayJoin(apex, last))
     {
-      triangles.push_back({ static_cast<std::uint8_t>(loop[first]),
-        static_cast<std::uint8_t>(loop[last]), static_cast<std::uint8_t>(loop[apex]) });
-      return true;
+      continue;
     }
-    triangles.resize(known);
+    const std::vector<CubeFill> after = Fills(loop, apex, last);
+    for (CubeFill fill : Fills(loop, first, apex))
+    {
+      const std::size_t own = fill.size();
+      for (const CubeFill& rest : after)
+      {
+        fill.resize(own);
+        fill.insert(fill.end(), rest.begin(), rest.end());
+        fill.push_back({ static_cast<std::uint8_t>(loop[first]),
+          static_cast<std::uint8_t>(loop[last]), static_cast<std::uint8_t>(loop[apex]) });
+        fills.push_back(fill);
+      }
+    }
   }
-  return false;
+  return fills;
 }
 
-std::vector<CubeTriangle> Derive(int inside)
+std::vector<CubeLoop> Derive(int inside)
 {
-  std::vector<CubeTriangle> triangles;
+  std::vector<CubeLoop> loops;
   std::array<int, 12> next = Successors(inside);
   for (std::size_t start = 0; start < 12; ++start)
   {
@@ -119,10 +128,10 @@ std::vector<CubeTriangle> Derive(int inside)
     }
     if (!loop.empty())
     {
-      Fill(loop, 0, loop.size() - 1, triangles);
+      loops.push_back(Fills(loop, 0, loop.size() - 1));
     }
   }
-  return triangles;
+  return loops;
 }
 
 } // namespace
@@ -133,10 +142,10 @@ int LowerCornerOfCubeEdge(int edge)
   return (edge & 1) << (axis + 1) % 3 | (edge >> 1 & 1) << (axis + 2) % 3;
 }
 
-const std::vector<CubeTriangle>& TrianglesOfCube(int inside)
+const std::vector<CubeLoop>& LoopsOfCube(int inside)
 {
-  static const std::array<std::vector<CubeTriangle>, 256> cases = [] {
-    std::array<std::vector<CubeTriangle>, 256> derived;
+  static const std::array<std::vector<CubeLoop>, 256> cases = [] {
+    std::array<std::vector<CubeLoop>, 256> derived;
     for (int c = 0; c < 256; ++c)
     {
       derived[static_cast<std::size_t>(c)] = Derive(c);

@@ -30,8 +30,14 @@ int LowerCornerOfCubeEdge(int edge);
  * from where it is not inside. */
 using CubeTriangle = std::array<std::uint8_t, 3>;
 
+/** The triangles that fill one loop. */
+using CubeFill = std::vector<CubeTriangle>;
+
+/** All ways to fill one loop, of which each fits to the neighbouring cubes; at least one. */
+using CubeLoop = std::vector<CubeFill>;
+
 /** @param inside bit c is set if corner c is inside. */
-const std::vector<CubeTriangle>& TrianglesOfCube(int inside);
+const std::vector<CubeLoop>& LoopsOfCube(int inside);
 
 } // namespace sb
 

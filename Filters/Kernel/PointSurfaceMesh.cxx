@@ -22,6 +22,7 @@ constexpr std::int64_t Grain = 16; ///< of blocks
 constexpr std::size_t MostBlocks = std::size_t(1) << 24;
 constexpr double CurvedStep = 1e-7; ///< of FindEdgeRoot; leaves errors of 1e-8 of a spacing
 constexpr double SpeckInWidths = 3.0;
+constexpr double FacesAway = 0.1; ///< cosine between a triangle and the surface
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double MostCells = 1 << 28; ///< across the cloud
 
@@ -488,20 +489,78 @@ private:
 
   void AddTriangles(std::size_t block, int cell, int inside)
   {
-    for (const CubeTriangle& triangle : TrianglesOfCube(inside))
+    for (const CubeLoop& loop : LoopsOfCube(inside))
     {
-      std::int32_t corners[3];
-      bool supported = true;
-      for (std::size_t k = 0; k < 3; ++k)
+      for (const CubeTriangle& triangle : this->BestFill(block, cell, loop))
       {
-        corners[k] = this->VertexOn(block, cell, triangle[k]);
-        supported = supported && this->Supported[static_cast<std::size_t>(corners[k])];
-      }
-      if (supported)
-      {
-        this->Mesh.Triangles.insert(this->Mesh.Triangles.end(), corners, corners + 3);
+        const std::array<std::int32_t, 3> corners = this->VerticesOf(block, cell, triangle);
+        if (this->IsSupported(corners))
+        {
+          this->Mesh.Triangles.insert(this->Mesh.Triangles.end(), corners.begin(), corners.end());
+        }
       }
     }
+  }
+
+  std::array<std::int32_t, 3> VerticesOf(
+    std::size_t block, int cell, const CubeTriangle& triangle) const
+  {
+    return { this->VertexOn(block, cell, triangle[0]), this->VertexOn(block, cell, triangle[1]),
+      this->VertexOn(block, cell, triangle[2]) };
+  }
+
+  bool IsSupported(const std::array<std::int32_t, 3>& corners) const
+  {
+    return std::all_of(corners.begin(), corners.end(),
+      [this](std::int32_t vertex) { return this->Supported[static_cast<std::size_t>(vertex)]; });
+  }
+
+  /** The first way to fill a loop; but where that has a triangle which does not face as the surface
+   * does, as at a crease within a cube, the one that faces best. */
+  const CubeFill& BestFill(std::size_t block, int cell, const CubeLoop& loop) const
+  {
+    const CubeFill* best = &loop.front();
+    double bestFacing = this->LeastFacing(block, cell, loop.front());
+    if (bestFacing < FacesAway)
+    {
+      for (const CubeFill& fill : loop)
+      {
+        const double facing = this->LeastFacing(block, cell, fill);
+        if (facing > bestFacing)
+        {
+          bestFacing = facing;
+          best = &fill;
+        }
+      }
+    }
+    return *best;
+  }
+
+  /** The least cosine between a triangle and the mean of the normals in its corners. */
+  double LeastFacing(std::size_t block, int cell, const CubeFill& fill) const
+  {
+    double least = 1.0;
+    for (const CubeTriangle& triangle : fill)
+    {
+      const std::array<std::int32_t, 3> corners = this->VerticesOf(block, cell, triangle);
+      const Real3 a = this->Vertex(this->Mesh.Points, corners[0]);
+      const Real3 turn = Cross(Difference(this->Vertex(this->Mesh.Points, corners[1]), a),
+        Difference(this->Vertex(this->Mesh.Points, corners[2]), a));
+      Real3 normal{};
+      for (const std::int32_t vertex : corners)
+      {
+        normal = PlusScaled(normal, 1.0, this->Vertex(this->Mesh.Normals, vertex));
+      }
+      const double lengths = Length(turn) * Length(normal);
+      least = lengths > 0.0 ? std::min(least, Dot(turn, normal) / lengths) : least;
+    }
+    return least;
+  }
+
+  static Real3 Vertex(const std::vector<double>& triples, std::int32_t vertex)
+  {
+    const double* const x = triples.data() + 3 * static_cast<std::size_t>(vertex);
+    return { x[0], x[1], x[2] };
   }
 
   void DropSpecks()

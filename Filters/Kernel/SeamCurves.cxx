@@ -121,7 +121,7 @@ private:
     const Real3& place, std::int32_t triangle, MovingLeastSquares::Neighbourhood& near) const
   {
     return FindSeamTarget(*this->Request.Cloud, *this->Request.Tool,
-      FreedomOn(*this->Request.Tool, { triangle }), place, this->Request.Spacing, near);
+      FreedomOn(*this->Request.Tool, { triangle }, place), place, this->Request.Spacing, near);
   }
 
   void MakeCurves()

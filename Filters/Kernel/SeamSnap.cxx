@@ -178,7 +178,8 @@ private:
     for (std::size_t i = 0; i < this->Seam.size(); ++i)
     {
       this->PlaceInSeam[static_cast<std::size_t>(this->Seam[i])] = static_cast<std::int32_t>(i);
-      this->Freedoms[i] = FreedomOn(*this->Request.Tool, this->ToolTrianglesAt(this->Seam[i]));
+      this->Freedoms[i] = FreedomOn(
+        *this->Request.Tool, this->ToolTrianglesAt(this->Seam[i]), this->Mesh.Point(this->Seam[i]));
     }
     this->Done.assign(this->Seam.size(), 0);
   }
@@ -231,7 +232,7 @@ private:
         !(this->IsOnSeam(kept) && this->IsSeamEdge(gone, kept) &&
           (this->AtLast || !this->IsSharper(gone, kept)))) ||
       !this->IsFlatTowards(gone, kept) || this->MakesEar(gone, kept) ||
-      !this->Edit.Collapse(gone, kept))
+      this->LeavesBorder(gone, kept) || !this->Edit.Collapse(gone, kept))
     {
       return false;
     }
@@ -253,6 +254,40 @@ private:
           std::all_of(
             ids, ids + 3, [&](std::int32_t id) { return id == gone || this->IsOnSeam(id); });
       });
+  }
+
+  /** Whether a patch meets itself at the first point, and not all the way to the second one: its
+   * triangles would come to lie on both sides of its border, and have no u and v. */
+  bool LeavesBorder(std::int32_t gone, std::int32_t kept) const
+  {
+    const ToolSurface& tool = *this->Request.Tool;
+    const Real3 place = this->Mesh.Point(gone);
+    if (!tool.MeetsItselfAmong(this->ToolTrianglesAt(gone), place))
+    {
+      return false;
+    }
+    std::vector<std::int32_t> between;
+    for (const std::int32_t t : this->Edit.TrianglesAt(gone))
+    {
+      const std::int32_t* const ids = this->Mesh.Corners(t);
+      if (this->Mesh.Source[static_cast<std::size_t>(t)] != 0 &&
+        std::find(ids, ids + 3, kept) != ids + 3)
+      {
+        between.push_back(this->Mesh.Parent[static_cast<std::size_t>(t)]);
+      }
+    }
+    return !tool.MeetsItselfAmong(between, place);
+  }
+
+  /** Whether a place is on the other side of a border of the patch that a seam vertex is on. */
+  bool IsAcrossBorder(std::int32_t point, const Real3& place) const
+  {
+    const ToolSurface& tool = *this->Request.Tool;
+    const std::int32_t there = tool.NearestTo(place, this->Request.Spacing).Triangle;
+    const std::vector<std::int32_t> here = this->ToolTrianglesAt(point);
+    return there >= 0 && std::any_of(here.begin(), here.end(), [&](std::int32_t t) {
+      return tool.MeetsItselfBetween(t, there, place);
+    });
   }
 
   /** How far the tool may be bent. */
@@ -339,7 +374,9 @@ private:
         this->Mesh.Point(point), LongestMove * this->Request.Spacing, near);
       if (target.Reached &&
         IsNearPlanes(
-          *this->Request.Tool, this->ToolTrianglesAt(point), target.Place, this->BendOfTool()))
+          *this->Request.Tool, this->ToolTrianglesAt(point), target.Place, this->BendOfTool()) &&
+        this->Freedoms[i].What != SeamFreedom::Kind::Border &&
+        !this->IsAcrossBorder(point, target.Place))
       {
         this->Targets[i] = target;
       }
@@ -428,11 +465,26 @@ private:
     {
       return false;
     }
+    if (this->Request.Tool->MeetsItselfBetween(parents[0], parents[1], this->MiddleOfEdge(edge)))
+    {
+      return false;
+    }
     const auto isFlat = [&](std::int32_t id) {
       return IsNearPlanes(*this->Request.Tool, parents, this->Mesh.Point(id), this->BendOfTool());
     };
     return std::all_of(this->Mesh.Corners(t), this->Mesh.Corners(t) + 3, isFlat) &&
       std::all_of(this->Mesh.Corners(u), this->Mesh.Corners(u) + 3, isFlat);
+  }
+
+  Real3 MiddleOfEdge(const MeshEdit::EdgeToFlip& edge) const
+  {
+    Real3 middle{};
+    const std::int32_t* const ids = this->Mesh.Corners(edge.Triangle);
+    for (int k = 0; k < 3; ++k)
+    {
+      middle = ids[k] == edge.Top ? middle : PlusScaled(middle, 0.5, this->Mesh.Point(ids[k]));
+    }
+    return middle;
   }
 
   /** A target in the plane of a triangle may lie beyond the triangle. */

@@ -163,6 +163,94 @@ CommonPoint OntoCloudAndCrease(const MovingLeastSquares& cloud, const ToolSurfac
   return now;
 }
 
+/** The least and the largest of some numbers. */
+struct Extent
+{
+  double Least = std::numeric_limits<double>::infinity();
+  double Largest = -std::numeric_limits<double>::infinity();
+
+  void Add(double value)
+  {
+    this->Least = std::min(this->Least, value);
+    this->Largest = std::max(this->Largest, value);
+  }
+};
+
+/** The line in which the patch of these triangles meets itself, if it is one: from pole to pole one
+ * parameter is at the two ends of its domain. At a pole, where it is everywhere, and where two such
+ * lines cross, a vertex has to stay. */
+SeamFreedom BorderBetween(
+  const ToolSurface& tool, const std::vector<std::int32_t>& triangles, const Real3& place)
+{
+  const NURBSSurface& patch = tool.PatchOf(triangles.front());
+  const std::array<double, 2> first{ patch.FirstU(), patch.FirstV() };
+  const std::array<double, 2> last{ patch.LastU(), patch.LastV() };
+  // From the nearest end, as a share of the domain: the facets at a pole have another u there.
+  constexpr double near = 0.25;
+  std::array<Extent, 2> extents;
+  std::array<double, 2> farthest{ 0.0, 0.0 };
+  for (const std::int32_t t : triangles)
+  {
+    const std::array<double, 2> uv = tool.ParametersOf(t, place);
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      const double share = (uv[k] - first[k]) / (last[k] - first[k]);
+      extents[k].Add(share);
+      farthest[k] = std::max(farthest[k], std::min(std::abs(share), std::abs(1.0 - share)));
+    }
+  }
+  SeamFreedom freedom;
+  freedom.Triangle = triangles.front();
+  const auto isAtEnds = [&](std::size_t k) {
+    const double other = extents[1 - k].Largest - extents[1 - k].Least;
+    return farthest[k] < near && other < near;
+  };
+  if (isAtEnds(0) != isAtEnds(1))
+  {
+    freedom.What = SeamFreedom::Kind::Border;
+    freedom.KeepsU = isAtEnds(0);
+  }
+  return freedom;
+}
+
+/** The root of the function on a border line of a patch. */
+CommonPoint OntoCloudAndBorder(const MovingLeastSquares& cloud, const ToolSurface& tool,
+  const SeamFreedom& border, const Real3& start, double limit,
+  MovingLeastSquares::Neighbourhood& near)
+{
+  const NURBSSurface& patch = tool.PatchOf(border.Triangle);
+  std::array<double, 2> uv = tool.ParametersOf(border.Triangle, start);
+  const std::array<double, 2> first{ patch.FirstU(), patch.FirstV() };
+  const std::array<double, 2> last{ patch.LastU(), patch.LastV() };
+  const std::size_t kept = border.KeepsU ? 0 : 1;
+  const std::size_t moved = 1 - kept;
+  uv[kept] = uv[kept] < 0.5 * (first[kept] + last[kept]) ? first[kept] : last[kept];
+  CommonPoint now;
+  CommonPoint reached;
+  cloud.Gather(start, limit, near);
+  double best = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < MostSteps; ++step)
+  {
+    uv[moved] = std::clamp(uv[moved], first[moved], last[moved]);
+    const PatchPoint at = EvaluatePatch(patch, uv[0], uv[1], 1);
+    const Real3& along = border.KeepsU ? at.Dv : at.Du;
+    now.Point = at.Point;
+    now.Surface = cloud.EvaluateNear(now.Point, 1, near);
+    const double slope = Dot(now.Surface.Gradient, along);
+    const double residual = std::abs(now.Surface.Value);
+    if (!now.Surface.IsNear || !(residual < best) ||
+      !(std::abs(slope) > LeastCrossing * Length(now.Surface.Gradient) * Length(along)))
+    {
+      break;
+    }
+    best = residual;
+    reached = now;
+    reached.Found = residual < NearlyThere * limit;
+    uv[moved] -= now.Surface.Value / slope;
+  }
+  return reached.Found ? reached : now;
+}
+
 bool HasPatch(const ToolSurface& tool, std::int32_t triangle)
 {
   const DesignedSurface& body = tool.Body();
@@ -211,7 +299,8 @@ SeamTarget TargetOf(
 
 } // namespace
 
-SeamFreedom FreedomOn(const ToolSurface& tool, const std::vector<std::int32_t>& triangles)
+SeamFreedom FreedomOn(
+  const ToolSurface& tool, const std::vector<std::int32_t>& triangles, const Real3& place)
 {
   SeamFreedom freedom;
   if (triangles.empty())
@@ -219,9 +308,14 @@ SeamFreedom FreedomOn(const ToolSurface& tool, const std::vector<std::int32_t>& 
     return freedom;
   }
   freedom.Triangle = triangles.front();
+  const bool meetsItself = tool.MeetsItselfAmong(triangles, place);
   if (AreOnOnePatch(tool, triangles))
   {
     freedom.What = SeamFreedom::Kind::Patch;
+    return meetsItself ? BorderBetween(tool, triangles, place) : freedom;
+  }
+  if (meetsItself)
+  {
     return freedom;
   }
   const std::vector<std::int32_t> patches = OnTwoPatches(tool, triangles);
@@ -276,6 +370,9 @@ SeamTarget FindSeamTarget(const MovingLeastSquares& cloud, const ToolSurface& to
       found = OntoCloudAndPatch(cloud, tool.PatchOf(freedom.Triangle), uv[0], uv[1], near);
       break;
     }
+    case SeamFreedom::Kind::Border:
+      found = OntoCloudAndBorder(cloud, tool, freedom, start, limit, near);
+      break;
     case SeamFreedom::Kind::Crease:
       found = OntoCloudAndCrease(cloud, tool, freedom, start, limit, near);
       break;

@@ -24,6 +24,7 @@ struct SeamFreedom
   {
     Plane, ///< of a triangle, or of several in one plane
     Patch, ///< the exact patch behind its triangles
+    Border, ///< where the patch meets itself, such as the seam line of a cylinder
     Crease, ///< the edge in which two exact patches meet
     Line, ///< an edge between two triangles that are not in one plane
     Fixed ///< a corner of the tool
@@ -31,10 +32,15 @@ struct SeamFreedom
   Real3 Direction{}; ///< the plane's normal, or along the line
   std::int32_t Triangle = -1; ///< one of those it lies on
   std::int32_t OnOtherPatch = -1; ///< of a crease: one that is on the other patch
+  bool KeepsU = false; ///< of a border: it is a line of constant u, not v
 };
 
-/** @param triangles of the tool that the vertex is a corner of pieces of */
-SeamFreedom FreedomOn(const ToolSurface& tool, const std::vector<std::int32_t>& triangles);
+/**
+ * @param triangles of the tool that the vertex is a corner of pieces of
+ * @param place of the vertex
+ */
+SeamFreedom FreedomOn(
+  const ToolSurface& tool, const std::vector<std::int32_t>& triangles, const Real3& place);
 
 struct SeamTarget
 {

@@ -4,11 +4,22 @@
 
 #include "CombinedMesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 namespace sb
 {
+
+bool AreFarApart(
+  const NURBSSurface& patch, const std::array<double, 2>& a, const std::array<double, 2>& b)
+{
+  // Where a place is a little off both triangles their answers differ by much less, and at a seam
+  // by all of the domain.
+  constexpr double share = 0.25;
+  return std::abs(a[0] - b[0]) > share * (patch.LastU() - patch.FirstU()) ||
+    std::abs(a[1] - b[1]) > share * (patch.LastV() - patch.FirstV());
+}
 
 ToolSurface::ToolSurface(const DesignedSurface& body, Executor& executor)
   : Designed(&body)
@@ -93,6 +104,34 @@ std::array<double, 2> ToolSurface::ParametersOf(std::int32_t triangle, const Rea
     uv[k] = (1.0 - toB - toC) * of(ids[0]) + toB * of(ids[1]) + toC * of(ids[2]);
   }
   return uv;
+}
+
+bool ToolSurface::MeetsItselfBetween(std::int32_t s, std::int32_t t, const Real3& place) const
+{
+  const std::vector<std::int32_t>& faces = this->Designed->FaceId;
+  if (!this->Designed->HasPatches() || s == t ||
+    faces[static_cast<std::size_t>(s)] != faces[static_cast<std::size_t>(t)] ||
+    faces[static_cast<std::size_t>(s)] < 0)
+  {
+    return false;
+  }
+  return AreFarApart(this->PatchOf(s), this->ParametersOf(s, place), this->ParametersOf(t, place));
+}
+
+bool ToolSurface::MeetsItselfAmong(
+  const std::vector<std::int32_t>& triangles, const Real3& place) const
+{
+  for (std::size_t i = 1; i < triangles.size(); ++i)
+  {
+    const bool found =
+      std::any_of(triangles.begin(), triangles.begin() + static_cast<std::ptrdiff_t>(i),
+        [&](std::int32_t other) { return this->MeetsItselfBetween(triangles[i], other, place); });
+    if (found)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 } // namespace sb

@@ -22,6 +22,11 @@
 namespace sb
 {
 
+/** Whether two answers to what the u and v of a place are cannot mean the same place of the domain:
+ * the patch meets itself there, as a cylinder does at its seam and a sphere at its poles. */
+bool AreFarApart(
+  const NURBSSurface& patch, const std::array<double, 2>& a, const std::array<double, 2>& b);
+
 class ToolSurface
 {
 public:
@@ -68,6 +73,11 @@ public:
 
   /** u and v, in that patch, of a point near a triangle: those of its corners, interpolated. */
   std::array<double, 2> ParametersOf(std::int32_t triangle, const Real3& place) const;
+
+  /** Whether the patch of two triangles meets itself between them: they see a place that both are
+   * near in different parts of the domain. Triangles of two patches do not. */
+  bool MeetsItselfBetween(std::int32_t s, std::int32_t t, const Real3& place) const;
+  bool MeetsItselfAmong(const std::vector<std::int32_t>& triangles, const Real3& place) const;
 
 private:
   const DesignedSurface* Designed;

@@ -69,6 +69,7 @@ struct PointArrays
     output->SetPoints(this->Points);
     data->SetNormals(this->Normals);
     data->AddArray(this->Curvatures);
+    data->SetActiveScalars(this->Curvatures->GetName()); // ParaView colours by it at once
     if (cutter == CutWith::Mesh)
     {
       data->AddArray(this->Cells);

@@ -162,6 +162,7 @@ void vtkPointSetSurfaceFilter::Run::Sample()
   vtkPointData* output = this->Points->GetPointData();
   output->SetNormals(normals);
   output->AddArray(residual);
+  output->SetActiveScalars(residual->GetName()); // ParaView colours by it at once
   output->AddArray(validity);
   output->AddArray(this->Doubtful);
   if (this->Filter->ComputeCurvatures)
@@ -280,6 +281,7 @@ void vtkPointSetSurfaceFilter::Run::BuildMesh()
     sb::SampleCloudSurface(
       *this->Cloud.Surface, coordinates->GetPointer(0), count, arrays, this->Executor, rest);
     AddCurvatures(this->Mesh, maximum, minimum);
+    this->Mesh->GetPointData()->SetActiveScalars("MeanCurvature");
   }
   this->Times.push_back({ "Mesh", this->Watch.Lap() });
 }

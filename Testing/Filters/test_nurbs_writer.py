@@ -16,9 +16,13 @@ from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 import cad
+import cloud_booleans
+import clouds
 import measures
 import step_files
 from booleans import heard_from_call, points_of
+from cloud_booleans import DIFFERENCE, INTERSECTION, OPERATIONS, REVERSE_DIFFERENCE, UNION
+from distances import cloud, distance_filter
 
 cad.needs_cad()
 
@@ -161,6 +165,83 @@ def test_what_a_boolean_leaves_is_written(tmp_path):
     assert (said.faces, said.solids, said.shells) == (46, 0, 2)
     kept = type(left.body)(left.body.points, left.body.triangles[face >= 0])
     assert measures.area(again.body) == pytest.approx(measures.area(kept), rel=1e-3)
+
+
+def check_that_a_scan_left(tmp_path, result):
+    """The faces of the body, trimmed at the seam: an open shell, as what the scan closes has no exact surface."""
+    assert not result.errors
+    said, again = written_and_read(result.surface, tmp_path, ChordError=5e-4)
+    of_scan = int(np.count_nonzero(result.cell_data["FaceId"] < 0))
+    assert len(said.warnings) == (1 if of_scan else 0) and all(str(of_scan) in text for text in said.warnings)
+    left = type(result.body)(result.body.points, result.body.triangles[result.cell_data["FaceId"] >= 0])
+    assert measures.area(again.body) == pytest.approx(measures.area(left), rel=4e-3)
+    spacing = result.number("Spacing")
+    assert again.number("Gap") < 0.03 * spacing
+    # The written faces reach to the seam and not beyond it.
+    both = distance_filter(cloud(points_of(result.curves)), again.body, SignedDistance=False)
+    assert vtk_to_numpy(both.GetOutput().GetPointData().GetArray("Distance")).max() < 0.05 * spacing
+    beyond = distance_filter(cloud(again.body.points), left, SignedDistance=False)
+    assert vtk_to_numpy(beyond.GetOutput().GetPointData().GetArray("Distance")).max() < 0.15 * spacing
+    return said
+
+
+@pytest.mark.parametrize(
+    "operation, faces, shells", [(UNION, 10, 1), (INTERSECTION, 5, 2), (DIFFERENCE, 5, 2), (REVERSE_DIFFERENCE, 10, 1)]
+)
+def test_what_a_point_set_boolean_leaves_is_written(tmp_path, operation, faces, shells):
+    """The demo's cat and screw: all ten faces, three of them closed around, or those in the cat."""
+    screw = cad.read(f"{cad.SAMPLES}/step/screw.step").data
+    placed, _ = moved(screw, ("Translate", 0.7607, -0.74, -0.0356), ("RotateX", -90), ("Scale", 0.0425, 0.0425, 0.0425))
+    result = cloud_booleans.run(clouds.cloud(*clouds.cgal_cloud("kitten.xyz")), placed, operation)
+    said = check_that_a_scan_left(tmp_path, result)
+    assert (said.faces, said.solids, said.shells) == (faces, 0, shells)
+
+
+# The seam of a cylinder, a pole and both seams of a ring are where the scan's surface is, or near it.
+ACROSS = [
+    (("cylinder", 0.5, 1.6), (0.3, 0.1, -0.9)),
+    (("sphere", 0.6), (-0.8, 0.1, 0.05)),
+    (("torus", 0.6, 0.25), (-0.5, 0.1, 0.6)),
+]
+
+
+@pytest.mark.parametrize("operation", OPERATIONS)
+@pytest.mark.parametrize("shape, at", ACROSS, ids=lambda value: value[0] if isinstance(value[0], str) else "")
+def test_faces_are_trimmed_across_their_own_seams(tmp_path, shape, at, operation):
+    placed, _ = moved(cad.read(made(tmp_path, *shape)).data, ("Translate", *at))
+    check_that_a_scan_left(tmp_path, cloud_booleans.run(cloud_booleans.ball_cloud(8000), placed, operation))
+
+
+def test_facets_that_overlap_in_their_parameters_are_left_out(tmp_path):
+    """A cylinder whose wall is joined at its seam: the facets there lie across all others."""
+    first = cad.read(made(tmp_path, "cylinder", 2.0, 5.0))
+    joined = vtkPolyData()
+    joined.DeepCopy(first.data)
+    uv = vtk_to_numpy(joined.GetPointData().GetArray("UV"))
+    wall = np.unique(first.body.triangles[first.cell_data["FaceId"] == wall_of(first)])
+    uv[wall[uv[wall, 0] == uv[wall, 0].max()], 0] = uv[wall, 0].min()
+    said, again = written_and_read(joined, tmp_path)
+    assert len(said.warnings) == 1 and "1 exact surface" in said.warnings[0] and "u and v" in said.warnings[0]
+    assert (said.faces, said.solids) == (2, 0) and again.number("NumberOfFaces") == 2
+    alone = taken(joined, first.cell_data["FaceId"] == wall_of(first))
+    said = write(alone, tmp_path / "alone.step")
+    assert said.failed and len(said.errors) == 1 and "u and v" in said.errors[0]
+
+
+def test_a_sphere_with_a_hole_in_it_is_left_out(tmp_path):
+    """Read again it would be the cap that was taken out of it."""
+    first = cad.read(made(tmp_path, "sphere", 3.0), ChordError=5e-4)
+    left = first.body.points[first.body.triangles][:, :, 0].min(axis=1) > -2.5
+    said = write(taken(first.data, left), tmp_path / "holed.step")
+    assert said.failed and len(said.errors) == 1 and "holes" in said.errors[0]
+    through = left & (first.body.points[first.body.triangles][:, :, 2].max(axis=1) < 2.5)
+    said, again = written_and_read(taken(first.data, through), tmp_path, ChordError=5e-4)
+    kept = type(first.body)(first.body.points, first.body.triangles[through])
+    assert said.faces == 1 and measures.area(again.body) == pytest.approx(measures.area(kept), rel=4e-3)
+
+
+def wall_of(read):
+    return np.bincount(read.cell_data["FaceId"]).argmax()
 
 
 def taken(data, chosen):

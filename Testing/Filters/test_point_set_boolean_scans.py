@@ -26,6 +26,15 @@ SCREW = pathlib.Path("/usr/share/opencascade/data/step/screw.step")
 
 
 @pytest.mark.parametrize("operation", OPERATIONS)
+def test_a_scanned_mask_and_a_ball(operation):
+    """A small scan with a crease within a cell of its mesh, and walls as thin as the width."""
+    points, normals = clouds.cgal_cloud("oni.pwn")
+    result = run(clouds.cloud(points, normals), cloud_booleans.ball(points.max(axis=0), 0.35, 60), operation)
+    assert not result.errors and measures.is_closed(result.body)
+    assert result.number("NumberOfFlippedTriangles") == result.number("NumberOfSelfIntersections") == 0
+
+
+@pytest.mark.parametrize("operation", OPERATIONS)
 def test_a_scanned_cat_and_a_ball(operation):
     points, normals = clouds.cgal_cloud("kitten.xyz")
     tool = cloud_booleans.ball([0.1, 0.2, 0.1], 0.35, 60)
