@@ -140,6 +140,10 @@ def cut(
     ------
     SurfaceBooleansError
         If the surface or the normal cannot be used.
+
+    References
+    ----------
+    D. Gobbi, "VTK/Closed Surface Clipping", VTK wiki, 2010: the caps of vtkClipClosedSurface.
     """
     algorithm = configure(
         vtkPolyDataCutClosedSurface(),

@@ -19,7 +19,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from surfacebooleans.commands import COMMANDS, FILES
 from surfacebooleans.errors import FileError, SurfaceBooleansError, SurfaceBooleansWarning
-from surfacebooleans.files import CAD_FILES, read, read_nurbs, readable_suffixes, write
+from surfacebooleans.files import CAD_FILES, is_writable, read, read_nurbs, readable_suffixes, suffix_of, write
 from surfacebooleans.measures import measure
 from surfacebooleans.meshes import fields_of
 
@@ -36,10 +36,12 @@ Exact Boolean operations, curves, distances and clips of surfaces in files.
 """
 
 FORMATS = """\
-formats: .vtk .vtp .stl .ply .obj (read and written), .vtu .vti .vts .vtr .vtm .g .gltf .glb (read), .xyz .pwn .pts .txt
-.csv .asc (lists of points, with normals if there are six columns), .step .stp .iges .igs (CAD; only .step and .stp are
-written, where the surfaces are exact), and with meshio installed .off .msh .inp .med and more. .vtk and .vtp keep all
-digits and arrays; .stl and .ply store 32-bit numbers, which leaves a closed surface closed.
+formats: .vtk .vtp .stl .ply .obj (read and written); .vtu .vti .vts .vtr .vtm .vtpc .gltf .glb .byu .g (read); of
+simulations .e .ex2 .exo .case .cgns .foam .tec .avs .xdmf, of grids the boundary; .mha .mhd .nii (images); .xyz .pwn
+.pts .txt .csv .asc (lists of points, with normals if there are six columns); .step .stp .iges .igs (CAD; only .step and
+.stp are written, where the surfaces are exact); with meshio installed .off .msh .inp .med and more; single files of all
+other formats that ParaView opens, such as .pvd. .vtk and .vtp keep all digits and arrays; .stl and .ply store 32-bit
+numbers, which leaves a closed surface closed.
 
 exit status: 0 done (there may have been warnings); 1 the filter has no result for such input; 2 wrong call; 3 a file
 could not be read or written; 130 interrupted. Of a folder the other files are still done, and the status is the
@@ -98,7 +100,9 @@ def _parser():
 
 def _add_common(parser):
     parser.add_argument(
-        "--format", metavar="ENDING", help="of the files written into a folder, such as .vtp (that of the input)"
+        "--format",
+        metavar="ENDING",
+        help="of the files written into a folder, such as .vtp (that of the input, if it can be written)",
     )
     parser.add_argument(
         "--cad-error",
@@ -158,7 +162,7 @@ class _Batch:
     def _files(self):
         if self.folder is None:
             return [pathlib.Path(self.arguments.file)]
-        files = sorted(path for path in self.folder.iterdir() if path.suffix.lower() in readable_suffixes())
+        files = sorted(path for path in self.folder.iterdir() if suffix_of(path) in readable_suffixes())
         if not files:
             raise FileError(f"{self.folder}: no file in this folder has a format that can be read")
         try:
@@ -170,8 +174,10 @@ class _Batch:
     def _one(self, path):
         """Read, compute, write and report one file; errors are told and counted."""
         if self.folder:
-            ending = "." + self.arguments.format.lstrip(".") if self.arguments.format else path.suffix
-            self.arguments.output = str(pathlib.Path(self.output, path.stem + ending))
+            ending = path.name[len(path.name) - len(suffix_of(path)) :]
+            written = "." + self.arguments.format.lstrip(".") if self.arguments.format else ending
+            written = written if self.arguments.format or is_writable(ending.lower()) else ".vtp"
+            self.arguments.output = str(pathlib.Path(self.output, path.name.removesuffix(ending) + written))
         report = {"command": self.arguments.command, "inputs": [], "outputs": [], "warnings": [], "error": None}
         self.reports.append(report)
         try:
@@ -185,7 +191,7 @@ class _Batch:
             self._failed(SurfaceBooleansError("the result does not fit into memory"), report, self._place(path))
 
     def _source(self, path):
-        is_cad = pathlib.Path(path).suffix.lower() in CAD_FILES
+        is_cad = suffix_of(path) in CAD_FILES
         data = read_nurbs(path, self.arguments.cad_error) if is_cad else read(path)
         return _Source(data, {"file": str(path), **measure(data)})
 

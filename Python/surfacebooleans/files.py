@@ -17,19 +17,10 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
-from vtkmodules.vtkIOGeometry import vtkBYUReader, vtkGLTFReader, vtkOBJReader, vtkSTLReader, vtkSTLWriter
-from vtkmodules.vtkIOLegacy import vtkDataSetReader, vtkDataSetWriter
+from vtkmodules.vtkIOGeometry import vtkSTLWriter
+from vtkmodules.vtkIOLegacy import vtkDataSetWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
-from vtkmodules.vtkIOXML import (
-    vtkXMLImageDataReader,
-    vtkXMLImageDataWriter,
-    vtkXMLMultiBlockDataReader,
-    vtkXMLPolyDataReader,
-    vtkXMLPolyDataWriter,
-    vtkXMLRectilinearGridReader,
-    vtkXMLStructuredGridReader,
-    vtkXMLUnstructuredGridReader,
-)
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridReader
 
 from surfacebooleans import vtk as classes
 from surfacebooleans.appended_xml import has_appended_data, inlined
@@ -37,21 +28,8 @@ from surfacebooleans.errors import FileError, SurfaceBooleansError
 from surfacebooleans.meshes import as_data, points_of, polydata
 from surfacebooleans.ply import read_ply
 from surfacebooleans.running import configure, update
+from surfacebooleans.vtk_formats import READERS, reader_of, select_all_arrays
 
-READERS = {
-    ".g": vtkBYUReader,
-    ".glb": vtkGLTFReader,
-    ".gltf": vtkGLTFReader,
-    ".obj": vtkOBJReader,
-    ".stl": vtkSTLReader,
-    ".vti": vtkXMLImageDataReader,
-    ".vtk": vtkDataSetReader,
-    ".vtm": vtkXMLMultiBlockDataReader,
-    ".vtp": vtkXMLPolyDataReader,
-    ".vtr": vtkXMLRectilinearGridReader,
-    ".vts": vtkXMLStructuredGridReader,
-    ".vtu": vtkXMLUnstructuredGridReader,
-}
 OWN_READERS = {".ply": read_ply}
 POINT_LISTS = (".asc", ".csv", ".pts", ".pwn", ".txt", ".xyz")
 WRITERS = {
@@ -63,14 +41,29 @@ WRITERS = {
 }
 CAD_FILES = (".iges", ".igs", ".step", ".stp")
 if hasattr(classes, "vtkNURBSReader"):  # not where this was built without Open CASCADE
-    READERS.update(dict.fromkeys(CAD_FILES, classes.vtkNURBSReader))
     WRITERS.update(dict.fromkeys((".step", ".stp"), classes.vtkNURBSWriter))
+XDMF = (".xdmf", ".xmf")
 SURFACES_ONLY = (".stl", ".step", ".stp")
 
 
 def readable_suffixes():
     """The endings of all files that `read` takes, in lower case; those of meshio only if it is installed."""
-    return sorted({*READERS, *OWN_READERS, *POINT_LISTS, *_suffixes_of_meshio()})
+    return sorted({*READERS, *OWN_READERS, *POINT_LISTS, *_cad_suffixes(), *_suffixes_of_meshio()})
+
+
+def _cad_suffixes():
+    return CAD_FILES if hasattr(classes, "vtkNURBSReader") else ()
+
+
+def is_writable(suffix):
+    """Whether `write` knows the format of such an ending, in lower case."""
+    return suffix in WRITERS or suffix == ".obj" or suffix in _suffixes_of_meshio()
+
+
+def suffix_of(path):
+    """What tells a file's format: its ending in lower case, of two parts where that is one (.vol.gz)."""
+    suffixes = [suffix.lower() for suffix in pathlib.Path(path).suffixes[-2:]]
+    return "".join(suffixes) if suffixes[-1:] == [".gz"] else "".join(suffixes[-1:])
 
 
 def read(path):
@@ -79,9 +72,13 @@ def read(path):
     Parameters
     ----------
     path : str or path-like
-        The ending tells the format. VTK reads .vtk .vtp .vtu .vti .vts .vtr .vtm .stl .ply .obj .g .gltf .glb; .xyz
-        .pwn .pts .txt .csv .asc are lists of points, with normals if there are six columns; .step .stp .iges .igs are
-        read as `read_nurbs` does; meshio, if it is installed, reads .off .msh .inp .med .mesh .bdf .xdmf and more.
+        The ending tells the format. VTK reads .vtk .vtp .vtu .vti .vts .vtr .vtm .vtpc and others of its own, .stl .ply
+        .obj .gltf .glb .byu .g, of simulations .e .ex2 .exo (Exodus) .case (EnSight) .cgns .foam .tec (Tecplot) .avs
+        .xdmf, and the images .mha .mhd .nii; .xyz .pwn .pts .txt .csv .asc are lists of points, with normals if there
+        are six columns; .step .stp .iges .igs are read as `read_nurbs` does; meshio, if it is installed, reads .off
+        .msh .inp .med .mesh .bdf and more. What none of these knows is read as ParaView would do in its window: .pvd,
+        .cas (Fluent), .gml and others. Of several time steps the first one is read. `surfacebooleans.vtk_formats` has
+        the list of VTK's formats.
 
     Returns
     -------
@@ -94,14 +91,12 @@ def read(path):
         If there is no such file, or if it holds nothing that can be read.
     """
     path = pathlib.Path(path)
-    suffix = path.suffix.lower()
+    suffix = suffix_of(path)
     if suffix in CAD_FILES:
         return read_nurbs(path)
-    if suffix in READERS:
-        return _read(path, lambda: _read_by_vtk(path, READERS[suffix]()))
     if suffix in OWN_READERS:
         return _read(path, lambda: OWN_READERS[suffix](path))
-    return _read(path, lambda: (_read_points if suffix in POINT_LISTS else _read_by_meshio)(path))
+    return _read(path, lambda: _read_points(path) if suffix in POINT_LISTS else _read_by_vtk_or_meshio(path, suffix))
 
 
 def read_nurbs(path, chord_error=1e-3):
@@ -135,11 +130,12 @@ def read_nurbs(path, chord_error=1e-3):
     L. Piegl, W. Tiller, "The NURBS Book", 2nd edition, Springer, 1997.
     """
     path = pathlib.Path(path)
-    if path.suffix.lower() not in CAD_FILES:
+    if suffix_of(path) not in CAD_FILES:
         raise FileError(f"{path}: CAD files end in {', '.join(CAD_FILES)}")
-    if path.suffix.lower() not in READERS:
+    if not _cad_suffixes():
         raise FileError(f"{path}: this build reads no CAD files; it was made without Open CASCADE")
-    return _read(path, lambda: _read_by_vtk(path, configure(READERS[path.suffix.lower()](), ChordError=chord_error)))
+    reader = configure(classes.vtkNURBSReader(), FileName=str(path), ChordError=chord_error)
+    return _read(path, lambda: _updated(reader))
 
 
 def write(data, path):
@@ -159,10 +155,10 @@ def write(data, path):
         If the format is not known or cannot hold the data, or the file cannot be written.
     """
     path, data = pathlib.Path(path), as_data(data)
-    suffix = path.suffix.lower()
+    suffix = suffix_of(path)
     _check_format(path, data)
     # The name of the unfinished file ends alike, because meshio goes by it.
-    unfinished = path.with_name(f".{path.stem}.unfinished{path.suffix}")
+    unfinished = path.with_name(f".{path.name[: len(path.name) - len(suffix)]}.unfinished{suffix}")
     try:
         unfinished.touch()
         if suffix in WRITERS:
@@ -191,7 +187,7 @@ def _read(path, reading):
     except (SurfaceBooleansError, OSError, ValueError) as error:
         raise FileError(f"{path}: {error}") from error
     if data is None or data.GetNumberOfElements(vtkDataObject.POINT) == 0:
-        raise FileError(f"{path}: no points in it; is it a {path.suffix} file?")
+        raise FileError(f"{path}: no points in it; is it a {suffix_of(path)} file?")
     return data
 
 
@@ -217,18 +213,45 @@ def _messages_caught():
         raise SurfaceBooleansError(error.group(1))
 
 
-def _read_by_vtk(path, reader):
-    if path.suffix.lower() == ".stl":
+def _read_by_vtk_or_meshio(path, suffix):
+    if suffix in XDMF and _meshio():
+        with contextlib.suppress(FileError):  # without h5py it reads none with arrays in a file of their own
+            return _read_by_meshio(path)
+    reader = reader_of(path, suffix)
+    if reader:
+        return _read_by_vtk(path, suffix, reader)
+    if suffix in _suffixes_of_meshio():
+        return _read_by_meshio(path)
+    data = _read_by_paraview(path)
+    if data:
+        return data
+    hint = "" if _meshio() else "; with meshio there are more (pip install meshio)"
+    raise FileError(
+        f"{path}: the format {suffix or 'without an ending'} is not known; these are: "
+        f"{' '.join(readable_suffixes())}{hint}"
+    )
+
+
+def _read_by_vtk(path, suffix, reader):
+    if suffix == ".stl":
         _check_length_of_stl(path)
-    if path.suffix.lower() == ".vtk":
+    if suffix == ".vtk":
         _check_head_of_vtk(path)
-    if path.suffix.lower().startswith(".vt") and has_appended_data(path):
+    if suffix.startswith(".vt") and has_appended_data(path):
         reader.ReadFromInputStringOn()
         reader.SetInputString(inlined(path.read_bytes()))
-    else:
-        reader.SetFileName(str(path))
+
+    def read_all():
+        reader.UpdateInformation()
+        select_all_arrays(reader)
+        reader.Update()
+
+    return _updated(reader, read_all)
+
+
+def _updated(reader, work=None):
     with _messages_caught():
-        update(reader)
+        update(reader, work=work)
     return reader.GetOutputDataObject(0)
 
 
@@ -251,8 +274,8 @@ def _check_head_of_vtk(path):
 
 
 def _check_format(path, data):
-    suffix = path.suffix.lower()
-    if suffix not in WRITERS and suffix != ".obj" and suffix not in _suffixes_of_meshio():
+    suffix = suffix_of(path)
+    if not is_writable(suffix):
         known = " ".join(sorted({*WRITERS, ".obj"}))
         hint = "" if _meshio() else "; with meshio there are more (pip install meshio)"
         raise FileError(
@@ -286,6 +309,29 @@ def _write_obj(path, data):
             offsets = vtk_to_numpy(cells.GetOffsetsArray())
             for begin, end in zip(offsets[:-1], offsets[1:]):
                 file.write(f"{letter} {' '.join(map(str, ids[begin:end]))}\n")
+
+
+# ---- ParaView ----------------------------------------------------------------------------------
+
+
+def _read_by_paraview(path):
+    """By the reader that ParaView would choose in its window; None if it has none."""
+    try:
+        from paraview import servermanager, simple
+    except ImportError:
+        return None
+    with _messages_caught():
+        try:
+            reader = simple.OpenDataFile(str(path))
+        except RuntimeError:
+            return None
+        if not reader:
+            return None
+        try:
+            reader.UpdatePipeline()
+            return servermanager.Fetch(reader)
+        finally:
+            simple.Delete(reader)
 
 
 # ---- lists of points ---------------------------------------------------------------------------
@@ -331,12 +377,6 @@ def _suffixes_of_meshio():
 def _read_by_meshio(path):
     """By way of a .vtu file, which both know."""
     meshio = _meshio()
-    if path.suffix.lower() not in _suffixes_of_meshio():
-        hint = "" if meshio else "; with meshio there are more (pip install meshio)"
-        raise FileError(
-            f"{path}: the format {path.suffix or 'without an ending'} is not known; these are: "
-            f"{' '.join(readable_suffixes())}{hint}"
-        )
     with tempfile.TemporaryDirectory() as folder:
         between = pathlib.Path(folder, "mesh.vtu")
         try:
@@ -344,7 +384,7 @@ def _read_by_meshio(path):
                 meshio.write(between, meshio.read(path))
         except (Exception, SystemExit) as error:  # its readers fail in every way, and some end the program
             raise FileError(f"{path}: meshio cannot read it: {error}") from error
-        return _read_by_vtk(between, vtkXMLUnstructuredGridReader())
+        return _updated(configure(vtkXMLUnstructuredGridReader(), FileName=str(between)))
 
 
 def _write_by_meshio(path, data):

@@ -17,13 +17,13 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray,
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
-    vtkCompositeDataSet,
     vtkDataObject,
+    vtkDataObjectTree,
     vtkDataSet,
     vtkPlane,
     vtkPolyData,
 )
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
 
@@ -60,12 +60,39 @@ def as_data(mesh):
 def as_surface(mesh):
     """A mesh as polygons: as `as_data`, and of grids the boundary."""
     data = as_data(mesh)
-    if isinstance(data, (vtkPolyData, vtkCompositeDataSet)) or not isinstance(data, vtkDataSet):
+    if isinstance(data, vtkDataObjectTree):
+        return _surfaces_of_blocks(data)
+    if isinstance(data, vtkPolyData) or not isinstance(data, vtkDataSet):
         return data
     boundary = vtkDataSetSurfaceFilter()
     boundary.SetInputData(data)
     boundary.Update()
     return boundary.GetOutput()
+
+
+def _surfaces_of_blocks(data):
+    """The same blocks, with the same names, where those that are grids are their boundaries."""
+    surfaces, place = data.NewInstance(), data.NewIterator()
+    surfaces.CopyStructure(data)
+    place.InitTraversal()
+    while not place.IsDoneWithTraversal():
+        surfaces.SetDataSet(place, as_surface(place.GetCurrentDataObject()))
+        place.GoToNextItem()
+    return surfaces
+
+
+def merged(data):
+    """All blocks of a composite data set as one vtkPolyData; polygons of other data as they are, or their boundary."""
+    surfaces = as_surface(data)
+    if not isinstance(surfaces, vtkDataObjectTree):
+        return surfaces
+    joiner, place = vtkAppendPolyData(), surfaces.NewIterator()
+    place.InitTraversal()
+    while not place.IsDoneWithTraversal():
+        joiner.AddInputData(place.GetCurrentDataObject())
+        place.GoToNextItem()
+    joiner.Update()
+    return joiner.GetOutput()
 
 
 def as_list(meshes):

@@ -76,6 +76,10 @@ def point_set_points(cloud, *, project=True, curvatures=True, width=0.0, flip=Fa
     ------
     SurfaceBooleansError
         As in `point_set_surface`.
+
+    References
+    ----------
+    Yang, Qian (2009), sections 3 and 4.1.
     """
     data = as_data(cloud)
     algorithm = _cloud_filter(data, False, 0.0, curvatures, width, flip, threads)

@@ -139,6 +139,10 @@ def split(a, b, *, tolerance=0.0, threads=0, progress=False):
     ------
     SurfaceBooleansError
         If a surface cannot be used.
+
+    References
+    ----------
+    Quammen, Weigle, Taylor (2011), section 5.3: vtkPolyDataIntersection.
     """
     algorithm = _intersected(a, b, True, tolerance, threads, progress)
     return result(algorithm.GetSplitInputOutput(), a), result(algorithm.GetSplitToolOutput(), a)
@@ -279,6 +283,10 @@ def distance_field(
     ------
     SurfaceBooleansError
         If `a` has no polygons, or the image would be too large.
+
+    References
+    ----------
+    Quammen, Weigle, Taylor (2011), section 3.1: the signed distance as an implicit function.
     """
     algorithm = configure(
         vtkPolyDataDistanceField(),
@@ -323,6 +331,11 @@ def check(a, *, self_intersections=True, threads=0, progress=False):
     ------
     SurfaceBooleansError
         If `a` is no surface.
+
+    References
+    ----------
+    P. Guigue, O. Devillers, "Fast and Robust Triangle-Triangle Overlap Test Using Orientation Predicates", Journal of
+    Graphics Tools 8(1), 2003.
     """
     algorithm = configure(
         vtkPolyDataSurfaceCheck(), SelfIntersections=self_intersections, NumberOfThreads=threads

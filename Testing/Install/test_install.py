@@ -86,15 +86,27 @@ def test_the_package_tells_what_it_needs(package):
 
 
 def test_the_package_lists_the_plugin_where_paraview_looks(package):
-    """ParaView reads paraview.conf beside its program, or from 5.13 on a folder; the plugin is found by the list alone."""
+    """In paraview.conf, beside ParaView's program or, from 5.13 on, in the place of ParaView's own."""
     _file, root = package
-    conf, drop_in = root / "usr/bin/paraview.conf", root / "usr/share/paraview/plugins/surfacebooleans.xml"
-    if drop_in.exists():
-        (plugin,) = root.rglob("SurfaceBooleans.so")
-        loaded = {"PV_PLUGIN_PATH": str(plugin.parent)}
-    else:
-        listed = conf.read_text().strip()
-        assert listed.startswith("/usr/lib/") and (root / listed[1:]).exists()
-        loaded = {"PV_PLUGIN_CONFIG_FILE": str(root / listed[1:])}
+    (conf,) = root.rglob("paraview.conf")
+    (listed,) = [line for line in conf.read_text().splitlines() if "surfacebooleans" in line]
+    plugins = root / listed[1:] if listed.startswith("/usr/lib/") else conf.parent / listed
     modules = root / "usr/lib/python3/dist-packages"
-    assert_works(run("pvpython", "-c", BOOLEAN, PYTHONPATH=str(modules), **loaded), root)
+    assert_works(run("pvpython", "-c", BOOLEAN, PYTHONPATH=str(modules), PV_PLUGIN_CONFIG_FILE=str(plugins)), root)
+
+
+def test_the_package_replaces_no_list_of_paraview(package):
+    """Where ParaView has a list of its own, it is put aside and comes back, and ours has all of its lines."""
+    file, root = package
+    (conf,) = root.rglob("paraview.conf")
+    of_paraview = "/" / conf.relative_to(root)
+    aside = of_paraview.with_name("paraview.conf.distrib")  # where this package is installed
+    scripts = run("dpkg-deb", "-I", file).split()
+    if conf.parent.name == "bin":
+        assert "preinst" not in scripts
+        return
+    own = (aside if aside.exists() else of_paraview).read_text().splitlines()
+    assert conf.read_text().splitlines() == [*own, "plugins/surfacebooleans.xml"]
+    for script, change in (("preinst", "--add"), ("postrm", "--remove")):
+        text = run("dpkg-deb", "-I", file, script)
+        assert re.search(f"dpkg-divert .*{change} .*--divert {aside} {of_paraview} ", text)

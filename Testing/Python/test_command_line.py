@@ -274,8 +274,8 @@ def test_it_is_a_program_of_python_and_of_paraview(folder, python):
 def test_ctrl_c_ends_it_without_half_a_file(folder, python):
     np.savetxt("large.xyz", np.hstack(clouds.sphere(200000)))
     code = (
-        "import runpy, sys, surfacebooleans.command_line; sys.argv = '- points-mesh large.xyz -o out.vtp'.split(); "
-        "print('ready', flush=True); runpy.run_module('surfacebooleans', run_name='__main__')"
+        "import os, runpy, sys, surfacebooleans.command_line; sys.argv = '- points-mesh large.xyz -o out.vtp'.split(); "
+        "os.write(1, b'ready\\n'); runpy.run_module('surfacebooleans', run_name='__main__')"
     )
     program = subprocess.Popen([python, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     assert program.stdout.readline() == "ready\n"

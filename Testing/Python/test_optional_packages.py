@@ -113,7 +113,9 @@ print(type(result).__module__.split(".")[0], sb.measure(result)["closed"])
 # ---- meshio ------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("suffix", [".off", ".msh", ".inp", ".mesh", ".bdf", ".stl", ".ply", ".vtu"])
+@pytest.mark.parametrize(
+    "suffix", [".off", ".msh", ".inp", ".mesh", ".bdf", ".nas", ".vol", ".vol.gz", ".mdpa", ".stl", ".ply", ".vtu"]
+)
 def test_formats_of_meshio_are_read(suffix, tmp_path):
     body = meshes.on_lattice(meshes.bumpy_sphere(np.random.default_rng(3)), 10)  # .bdf has few digits
     meshio.write(tmp_path / f"file{suffix}", meshio.Mesh(body.points, [("triangle", body.triangles)]))

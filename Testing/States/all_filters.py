@@ -120,7 +120,8 @@ def show(output, view, colour, place):
     simple.ColorBy(display, colour)
     display.SetScalarBarVisibility(view, False)
     display.LineWidth = 2
-    display.Position = [ACROSS * (place % 4), -DOWN * (place // 4), 0]
+    name = "Position" if "Position" in display.ListProperties() else "Translation"  # from 5.13 on
+    setattr(display, name, [ACROSS * (place % 4), -DOWN * (place // 4), 0])
     return display
 
 

@@ -10,6 +10,7 @@ import hashlib
 import json
 import pathlib
 import sys
+import xml.etree.ElementTree as XML
 
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -87,8 +88,21 @@ def replay(file):
     """Load a .pvsm, or run a Python state or a trace."""
     if file.endswith(".pvsm"):
         simple.LoadState(file)
+        _put_back(file)
     else:
         exec(compile(pathlib.Path(file).read_text(), file, "exec"), {})
+
+
+def _put_back(file):
+    """Where things are drawn: ParaView 5.13, where that has a new name, forgets it of a .pvsm of 5.11."""
+    state = XML.parse(file)
+    names = {item.get("id"): item.get("name") for item in state.iterfind(".//ProxyCollection[@name='representations']/*")}
+    manager = servermanager.ProxyManager()
+    for proxy in state.iterfind(".//Proxy[@group='representations']"):
+        place = proxy.findall("Property[@name='Position']/Element")
+        display = manager.GetProxy("representations", names.get(proxy.get("id"), ""))
+        if place and display and "Translation" in display.ListProperties():
+            display.Translation = [float(element.get("value")) for element in place]
 
 
 if __name__ == "__main__":
