@@ -5,6 +5,7 @@
 #include "DisjointSets.h"
 #include "FaceLoops.h"
 #include "FaceSurface.h"
+#include "HalvedFaces.h"
 #include "ShellSolids.h"
 
 #include <BRep_Builder.hxx>
@@ -33,7 +34,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <map>
 #include <vector>
 
@@ -54,9 +54,30 @@ public:
   {
   }
 
+  /** What has to be divided before it can be built (HalvedFaces.h). */
+  std::vector<FaceToHalve> RoundFaces()
+  {
+    std::vector<FaceToHalve> found;
+    this->MakeFaces();
+    for (const Face& face : this->Faces)
+    {
+      const std::vector<std::int32_t> chains = this->OuterChains(face);
+      if (face.Loops.size() > 1 && this->IsThereAndBack(chains))
+      {
+        // The seam is a line of constant u if u does not change along it.
+        const FaceChain& seam = this->Chain(chains.front());
+        const gp_Pnt2d first = this->Parameters(seam.Points.front());
+        const gp_Pnt2d last = this->Parameters(seam.Points.back());
+        found.push_back({ this->Found.Loops[face.Loops.front()].Face,
+          std::abs(last.X() - first.X()) < std::abs(last.Y() - first.Y()) });
+      }
+    }
+    return found;
+  }
+
+  /** After RoundFaces. */
   TrimmedFaces Build()
   {
-    this->MakeFaces();
     this->MakeEdges();
     this->MakeWires();
     return this->MakeShells();
@@ -108,10 +129,6 @@ private:
         this->Faces[static_cast<std::size_t>(around)].Loops.push_back(i);
       }
     }
-    const auto round = std::remove_if(this->Faces.begin(), this->Faces.end(),
-      [this](const Face& face) { return face.Loops.size() > 1 && this->IsRound(face); });
-    this->NumberOfRoundFaces = std::distance(round, this->Faces.end());
-    this->Faces.erase(round, this->Faces.end());
     for (std::size_t face = 0; face < this->Faces.size(); ++face)
     {
       for (const std::size_t loop : this->Faces[face].Loops)
@@ -124,17 +141,19 @@ private:
     }
   }
 
-  /** Whether the outer border is nothing but a seam, there and back from pole to pole. */
-  bool IsRound(const Face& face) const
+  /** The chains of a face's outer border, without poles. */
+  std::vector<std::int32_t> OuterChains(const Face& face) const
   {
-    std::vector<std::int32_t> chains;
-    for (const std::int32_t chain : this->Found.Loops[face.Loops.front()].Chains)
-    {
-      if (!this->Chain(chain).IsPole)
-      {
-        chains.push_back(chain);
-      }
-    }
+    std::vector<std::int32_t> chains = this->Found.Loops[face.Loops.front()].Chains;
+    chains.erase(std::remove_if(chains.begin(), chains.end(),
+                   [this](std::int32_t chain) { return this->Chain(chain).IsPole; }),
+      chains.end());
+    return chains;
+  }
+
+  /** Whether a border is nothing but a seam, there and back from pole to pole. */
+  bool IsThereAndBack(const std::vector<std::int32_t>& chains) const
+  {
     const std::size_t count = chains.size();
     for (std::size_t start = 0; start < count; ++start)
     {
@@ -449,7 +468,6 @@ private:
   std::vector<std::int32_t> FaceOfChain; // -1: of none
   BRep_Builder Builder;
   std::vector<Face> Faces;
-  std::int64_t NumberOfRoundFaces = 0;
   std::vector<TopoDS_Edge> Edges; // of each chain; null where it is that of the twin
   std::map<std::int32_t, TopoDS_Vertex> Vertices; // of each place
 };
@@ -459,7 +477,6 @@ TrimmedFaces ShapeBuilder::MakeShells()
   TrimmedFaces result;
   result.NumberOfFaces = static_cast<std::int64_t>(this->Faces.size());
   result.NumberOfUnfitPatches = static_cast<std::int64_t>(this->Found.Unfit.size());
-  result.NumberOfRoundFaces = this->NumberOfRoundFaces;
   if (this->Faces.empty())
   {
     return result;
@@ -499,7 +516,9 @@ TrimmedFaces ShapeBuilder::MakeShells()
 
 TrimmedFaces MakeTrimmedFaces(const sb::DesignedSurface& surface)
 {
-  return ShapeBuilder(surface).Build();
+  ShapeBuilder builder(surface);
+  const std::vector<FaceToHalve> round = builder.RoundFaces();
+  return round.empty() ? builder.Build() : MakeTrimmedFaces(HalveFaces(surface, round));
 }
 
 } // namespace sbvtk

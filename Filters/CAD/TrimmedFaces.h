@@ -6,7 +6,8 @@
  *
  * The boundary of a face's facets becomes its trimming curves: cubic splines through the corners,
  * which lie on the true edge, so that the curve is much closer to it than the facets are. Faces
- * that meet share the edge. What is closed becomes a solid.
+ * that meet share the edge. What is closed becomes a solid. A sphere with holes becomes two faces
+ * (HalvedFaces.h).
  */
 #ifndef TrimmedFaces_h
 #define TrimmedFaces_h
@@ -28,10 +29,6 @@ struct TrimmedFaces
   std::int64_t NumberOfOpenShells = 0;
   /** Patches that are left out, as their facets do not fit together in the parameters. */
   std::int64_t NumberOfUnfitPatches = 0;
-  /** Faces that are left out, as all of their patch is left but for holes, and that closes around
-   * as a sphere does: Open CASCADE writes a point for the outer border then, and reads that as
-   * none, so that the face would come back as its holes. */
-  std::int64_t NumberOfRoundFaces = 0;
 };
 
 /** To be called in a session (CADSession.h). Facets whose FaceId is negative are left out. */

@@ -36,12 +36,6 @@ std::vector<std::string> LeftOut(const sbvtk::TrimmedFaces& faces)
       " exact surfaces whose facets do not fit together in u and v, which are left out; choose the "
       "surface as it came from the file or from a Boolean.");
   }
-  if (faces.NumberOfRoundFaces > 0)
-  {
-    sentences.push_back("Input has " + std::to_string(faces.NumberOfRoundFaces) +
-      " faces that close around, as a sphere does, but for holes, which are left out as STEP files "
-      "with them are misread; divide the body through the holes first, with Closed Surface Clip.");
-  }
   return sentences;
 }
 

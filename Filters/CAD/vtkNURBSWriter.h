@@ -6,10 +6,11 @@
  *
  * The input is what vtkNURBSReader gives, or what a filter has left of it: facets with the arrays
  * `UV` and `FaceId`, and the field arrays of the patches. Each patch is trimmed where its facets
- * end; a face that was cut in two becomes two faces. Faces whose facets meet share an edge; what is
- * closed becomes a solid, the rest open shells. Facets that have been moved, turned, scaled or
- * mirrored take their patches with them. Facets that are on no patch (FaceId -1, or no UV) are left
- * out, and a warning says how many. Coordinates are taken for millimetres.
+ * end; a face that was cut in two becomes two faces, and so does a sphere with holes. Faces whose
+ * facets meet share an edge; what is closed becomes a solid, the rest open shells. Facets that have
+ * been moved, turned, scaled or mirrored take their patches with them. Facets that are on no patch
+ * (FaceId -1, or no UV) are left out, and a warning says how many. Coordinates are taken for
+ * millimetres.
  *
  * Trimming curves go through the corners of the facets, as cubic splines; a file read with a
  * smaller ChordError is written more precisely.

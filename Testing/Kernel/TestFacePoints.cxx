@@ -123,5 +123,10 @@ int main()
   designed::AddPatch(ring, patches::Moved(patches::Torus(0.6, 0.25), { -0.5, 0.12, 0.6 }), 48, 24);
   PointsComeApartAsTheBodyHadThem(ring);
   ResultsAreOnTheirPatches(ring);
+  // Points on its seams are in the way of the cut.
+  sb::DesignedSurface fine;
+  designed::AddPatch(
+    fine, patches::Moved(patches::Torus(0.6, 0.25), { -0.280851, 0.576002, 0.764362 }), 160, 80);
+  ResultsAreOnTheirPatches(fine);
   return check::Verdict("TestFacePoints");
 }

@@ -254,6 +254,15 @@ def designed_scenes(folder):
         path = os.path.join(folder, "cut.step")
         simple.SaveData(path, proxy=cut)
         yield "CAD part, cut, written and read", simple.NURBSReader(FileName=path), 1, ()
+        small = simple.Transform(Input=part)
+        small.Transform.Scale = [0.02, 0.02, 0.02]
+        cloud = sphere(ThetaResolution=48, PhiResolution=32)
+        yield "Cloud's section with exact faces", simple.PointSetIntersection(Input=cloud, Tool=small), 1, ()
+        joined = simple.PointSetBoolean(Input=cloud, Tool=small, Operation="Union")
+        yield "Cloud's Boolean with exact faces", joined, 3, ()
+        path = os.path.join(folder, "joined.step")
+        simple.SaveData(path, proxy=joined)
+        yield "Cloud's Boolean, written and read", simple.NURBSReader(FileName=path), 1, ()
 
 
 def main(target, *server):
