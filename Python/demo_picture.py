@@ -46,7 +46,7 @@ def aim(view):
 def show(source, view, side, color=None):
     display = simple.Show(source, view)
     display.Representation = "Surface"
-    display.Position = [side * APART * component for component in RIGHT]
+    move(display, [side * APART * component for component in RIGHT])
     display.Ambient = 0.08
     display.Specular = 0.3
     display.SpecularPower = 40
@@ -54,6 +54,12 @@ def show(source, view, side, color=None):
         display.ColorArrayName = ["POINTS", ""]
         display.AmbientColor = display.DiffuseColor = color
     return display
+
+
+def move(display, place):
+    """Draw it elsewhere."""
+    name = "Position" if "Position" in display.ListProperties() else "Translation"  # from ParaView 5.13 on
+    setattr(display, name, place)
 
 
 def color_by_source(display, colors):
@@ -100,7 +106,7 @@ def draw_scan(path, scan, body, result):
     seam.NumberofSides = 12
     curve = show(seam, view, 1, RED)
     for display, side in ((points, -1), (designed, -1), (solid, 1), (curve, 1)):
-        display.Position = [side * apart, 0, 0]
+        move(display, [side * apart, 0, 0])
     simple.Render(view)
     view.CameraPosition = [0.9, 0.75, 5.0]
     view.CameraFocalPoint = [0.0, -0.86, 0]
