@@ -5,6 +5,7 @@
 #
 #   . build/env.sh && Screenshots/panels.sh [FILTER...]    (needs imagemagick and python3-pyqt5)
 set -e
+/usr/bin/python3 -c "import PyQt5" 2>/dev/null || { echo "The pictures of panels need python3-pyqt5." >&2; exit 1; }
 here=$(cd "$(dirname "$0")" && pwd)
 SCREENSHOT_MESHES=$(mktemp -d)
 trap 'rm -rf "$SCREENSHOT_MESHES"' EXIT
