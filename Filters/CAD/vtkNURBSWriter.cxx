@@ -19,32 +19,28 @@
 #include <algorithm>
 #include <new>
 #include <string>
-#include <vector>
 
 vtkStandardNewMacro(vtkNURBSWriter);
 
 namespace
 {
 
-/** What is left out, a sentence each. */
-std::vector<std::string> LeftOut(const sbvtk::TrimmedFaces& faces)
+/** What is said of patches that are left out; nothing if none is. */
+std::string LeftOut(const sbvtk::TrimmedFaces& faces)
 {
-  std::vector<std::string> sentences;
-  if (faces.NumberOfUnfitPatches > 0)
-  {
-    sentences.push_back("Input has " + std::to_string(faces.NumberOfUnfitPatches) +
+  return faces.NumberOfUnfitPatches == 0
+    ? std::string()
+    : "Input has " + std::to_string(faces.NumberOfUnfitPatches) +
       " exact surfaces whose facets do not fit together in u and v, which are left out; choose the "
-      "surface as it came from the file or from a Boolean.");
-  }
-  return sentences;
+      "surface as it came from the file or from a Boolean.";
 }
 
 /** What is said of a file without faces. */
 std::string NoFaces(const sbvtk::TrimmedFaces& faces)
 {
-  const std::vector<std::string> sentences = LeftOut(faces);
+  const std::string leftOut = LeftOut(faces);
   return "would have no faces; " +
-    (sentences.empty() ? "there are no facets on exact surfaces in Input." : sentences.front());
+    (leftOut.empty() ? "there are no facets on exact surfaces in Input." : leftOut);
 }
 
 } // namespace
@@ -174,9 +170,9 @@ void vtkNURBSWriter::WriteWhole(vtkDataObject* data)
   this->NumberOfFaces = static_cast<int>(faces.NumberOfFaces);
   this->NumberOfSolids = static_cast<int>(faces.NumberOfSolids);
   this->NumberOfOpenShells = static_cast<int>(faces.NumberOfOpenShells);
-  for (const std::string& sentence : LeftOut(faces))
+  if (const std::string leftOut = LeftOut(faces); !leftOut.empty())
   {
-    vtkWarningMacro(<< sentence);
+    vtkWarningMacro(<< leftOut);
   }
   const auto without = std::count_if(
     surface.FaceId.begin(), surface.FaceId.end(), [](std::int32_t face) { return face < 0; });

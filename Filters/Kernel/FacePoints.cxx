@@ -127,18 +127,19 @@ private:
       this->Found.IsExact[static_cast<std::size_t>(first)] = known ? 1 : 0;
       return;
     }
+    const auto distance = [&](std::int32_t point) {
+      return this->Distance(triangle, this->Found.UV[static_cast<std::size_t>(point)], uv);
+    };
     std::int32_t best = this->Fits(first, triangle, uv, known) ? first : -1;
-    const auto copies = this->Copies.find(first);
-    for (const std::int32_t copy :
-      copies == this->Copies.end() ? std::vector<std::int32_t>{} : copies->second)
+    if (const auto copies = this->Copies.find(first); copies != this->Copies.end())
     {
-      const auto distance = [&](std::int32_t point) {
-        return this->Distance(triangle, this->Found.UV[static_cast<std::size_t>(point)], uv);
-      };
-      if (this->Fits(copy, triangle, uv, known) &&
-        (best < 0 || (triangle >= 0 && distance(copy) < distance(best))))
+      for (const std::int32_t copy : copies->second)
       {
-        best = copy;
+        if (this->Fits(copy, triangle, uv, known) &&
+          (best < 0 || (triangle >= 0 && distance(copy) < distance(best))))
+        {
+          best = copy;
+        }
       }
     }
     this->Found.Triangles[corner] = best >= 0 ? best : this->Repeat(first, triangle, uv, known);

@@ -8,7 +8,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 
-from surfacebooleans.meshes import as_data, merged, points_of
+from surfacebooleans.meshes import merged, points_of
 
 
 def measure(mesh):
@@ -27,7 +27,7 @@ def measure(mesh):
         and ``volume`` (in the unit of the points squared and cubed; a volume means something if the surface is closed).
         Of other data than surfaces only the points.
     """
-    data = merged(as_data(mesh))
+    data = merged(mesh)
     measured = {"points": data.GetNumberOfElements(vtkDataObject.POINT)}
     if not isinstance(data, vtkPolyData):
         return measured

@@ -81,9 +81,9 @@ def _surfaces_of_blocks(data):
     return surfaces
 
 
-def merged(data):
-    """All blocks of a composite data set as one vtkPolyData; polygons of other data as they are, or their boundary."""
-    surfaces = as_surface(data)
+def merged(mesh):
+    """As `as_surface`, and of blocks all as one vtkPolyData."""
+    surfaces = as_surface(mesh)
     if not isinstance(surfaces, vtkDataObjectTree):
         return surfaces
     joiner, place = vtkAppendPolyData(), surfaces.NewIterator()

@@ -44,6 +44,12 @@ from vtkmodules.vtkIOXdmf2 import vtkXdmfWriter
 VOLUME = 2.0 * 3.0 * 4.0
 
 
+def output_of(algorithm, data):
+    algorithm.SetInputData(data)
+    algorithm.Update()
+    return algorithm.GetOutput()
+
+
 @pytest.fixture(scope="module")
 def image():
     """2 x 3 x 4 cubes with an array that is the height at the points."""
@@ -58,26 +64,17 @@ def image():
 
 @pytest.fixture(scope="module")
 def structured(image):
-    converter = vtkImageDataToPointSet()
-    converter.SetInputData(image)
-    converter.Update()
-    return converter.GetOutput()
+    return output_of(vtkImageDataToPointSet(), image)
 
 
 @pytest.fixture(scope="module")
 def grid(structured):
-    converter = vtkAppendFilter()
-    converter.SetInputData(structured)
-    converter.Update()
-    return converter.GetOutput()
+    return output_of(vtkAppendFilter(), structured)
 
 
 @pytest.fixture(scope="module")
 def surface(grid):
-    cutter = vtkTriangleFilter()
-    cutter.SetInputData(as_surface(grid))
-    cutter.Update()
-    return cutter.GetOutput()
+    return output_of(vtkTriangleFilter(), as_surface(grid))
 
 
 def written(writer, data, path, **settings):
