@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterRun.h"
 
+#include "ArrayRanges.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 
@@ -27,6 +29,7 @@ void RunSteps(
   {
     steps();
     StopIfAsked(filter);
+    KeepRangesOfOutputs(filter);
     return;
   }
   catch (const FilterFailure& thrown)

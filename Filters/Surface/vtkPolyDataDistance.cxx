@@ -3,6 +3,7 @@
 #include "vtkPolyDataDistance.h"
 
 #include "ArrayMemory.h"
+#include "ArrayRanges.h"
 #include "BlockNames.h"
 #include "DistanceMap.h"
 #include "DistanceSurface.h"
@@ -618,7 +619,10 @@ int vtkPolyDataDistance::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   const int port = request->Get(vtkExecutive::FROM_OUTPUT_PORT());
-  sbvtk::RunWithThreads(this->NumberOfThreads, [&] { Run(this, inputs, outputs, port).Execute(); });
+  sbvtk::RunWithThreads(this->NumberOfThreads, [&] {
+    Run(this, inputs, outputs, port).Execute();
+    sbvtk::KeepRangesOfOutputs(this);
+  });
   this->SetAbortOutput(
     false); // a run that was stopped says so in its field data, which the pipeline would clear
   return 1;

@@ -3,6 +3,7 @@
 #include "vtkPolyDataDistanceField.h"
 
 #include "ArrayMemory.h"
+#include "ArrayRanges.h"
 #include "DistanceMap.h"
 #include "DistanceSampling.h"
 #include "DistanceSurface.h"
@@ -447,6 +448,7 @@ int vtkPolyDataDistanceField::RequestData(
   sbvtk::RunWithThreads(this->NumberOfThreads, [&] {
     Run(this, inputs, vtkImageData::GetData(outputs, 0), outputs->GetInformationObject(0))
       .Execute();
+    sbvtk::KeepRangesOfOutputs(this);
   });
   this->SetAbortOutput(
     false); // a run that was stopped says so in its field data, which the pipeline would clear
