@@ -173,8 +173,8 @@ def live_tool(operation="Difference", sources=None):
 
     The Tool goes through a Transform, which becomes the active source, so that its box is in the view: drag it with the middle
     mouse button, or by its handles with the left one. Auto Apply is switched on, as by the button beside Apply. Where there is no
-    graphics card the view is drawn without smoothed edges, and the result without the inner sides that one does not see, in about
-    half of the time.
+    graphics card the view is drawn by one light in place of five and without smoothed edges, and the result without the inner
+    sides that one does not see, in less than half of the time.
 
     Parameters
     ----------
@@ -197,6 +197,7 @@ def live_tool(operation="Difference", sources=None):
         display = simple.Show(moved, _view())
         display.Representation = "Wireframe"  # drawn faster than what is seen through
         _paint(display, RED)
+        _number_colours(result, _view())
         _lighten(result, _view())
     simple.GetSettingsProxy("GeneralSettings").AutoApply = 1
     return _finished(moved)
@@ -442,6 +443,17 @@ def _name_values(table, names):
     table.IndexedColors = [part for _, colour in names.values() for part in colour]
 
 
+def _number_colours(result, view):
+    """Find the colours of the two sources by number, not by word, which for each cell takes VTK longer than the Boolean."""
+    table = simple.GetDisplayProperties(simple.OutputPort(result, 0), view).LookupTable
+    first, second = table.IndexedColors[:3], table.IndexedColors[3:]
+    table.InterpretValuesAsCategories, table.NumberOfTableValues = 0, 2
+    table.RGBPoints = [-0.5, *first, 1.5, *second]
+    table.AutomaticRescaleRangeMode = "Never"
+    bar = simple.GetScalarBar(table, view)
+    bar.DrawTickMarks = bar.DrawTickLabels = bar.AddRangeLabels = 0
+
+
 def _show_legend(display, table, view):
     """The names of the values, without a title."""
     display.SetScalarBarVisibility(view, True)
@@ -490,9 +502,11 @@ def _paint(display, colour):
 
 
 def _lighten(closed, view):
-    """Without a graphics card: draw only what one sees of a closed surface from outside, and no smoothed edges."""
+    """Without a graphics card: draw only what one sees of a closed surface from outside, by one light, with no smoothed edges."""
     if "llvmpipe" in view.GetRenderWindow().ReportCapabilities():
-        view.UseFXAA = 0
+        view.UseFXAA = view.UseLight = 0
+        if not view.AdditionalLights:
+            simple.AddLight(view=view).Coords = "Headlight"
         simple.GetDisplayProperties(simple.OutputPort(closed, 0), view).BackfaceRepresentation = "Cull Backface"
 
 
