@@ -19,7 +19,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from surfacebooleans.commands import COMMANDS, FILES
 from surfacebooleans.errors import FileError, SurfaceBooleansError, SurfaceBooleansWarning
-from surfacebooleans.files import CAD_FILES, is_writable, read, read_nurbs, readable_suffixes, suffix_of, write
+from surfacebooleans.files import CAD_FILES, is_writable, read, read_nurbs, readable_suffixes, stem_and_ending, suffix_of, write
 from surfacebooleans.measures import measure
 from surfacebooleans.meshes import fields_of
 
@@ -174,10 +174,10 @@ class _Batch:
     def _one(self, path):
         """Read, compute, write and report one file; errors are told and counted."""
         if self.folder:
-            ending = path.name[len(path.name) - len(suffix_of(path)) :]
+            stem, ending = stem_and_ending(path)
             written = "." + self.arguments.format.lstrip(".") if self.arguments.format else ending
             written = written if self.arguments.format or is_writable(ending.lower()) else ".vtp"
-            self.arguments.output = str(pathlib.Path(self.output, path.name.removesuffix(ending) + written))
+            self.arguments.output = str(pathlib.Path(self.output, stem + written))
         report = {"command": self.arguments.command, "inputs": [], "outputs": [], "warnings": [], "error": None}
         self.reports.append(report)
         try:

@@ -40,7 +40,8 @@ WRITERS = {
     ".vtp": vtkXMLPolyDataWriter,
 }
 CAD_FILES = (".iges", ".igs", ".step", ".stp")
-if hasattr(classes, "vtkNURBSReader"):  # not where this was built without Open CASCADE
+HAS_CAD = hasattr(classes, "vtkNURBSReader")  # else this was built without Open CASCADE
+if HAS_CAD:
     WRITERS.update(dict.fromkeys((".step", ".stp"), classes.vtkNURBSWriter))
 XDMF = (".xdmf", ".xmf")
 SURFACES_ONLY = (".stl", ".step", ".stp")
@@ -48,11 +49,7 @@ SURFACES_ONLY = (".stl", ".step", ".stp")
 
 def readable_suffixes():
     """The endings of all files that `read` takes, in lower case; those of meshio only if it is installed."""
-    return sorted({*READERS, *OWN_READERS, *POINT_LISTS, *_cad_suffixes(), *_suffixes_of_meshio()})
-
-
-def _cad_suffixes():
-    return CAD_FILES if hasattr(classes, "vtkNURBSReader") else ()
+    return sorted({*READERS, *OWN_READERS, *POINT_LISTS, *(CAD_FILES if HAS_CAD else ()), *_suffixes_of_meshio()})
 
 
 def is_writable(suffix):
@@ -64,6 +61,13 @@ def suffix_of(path):
     """What tells a file's format: its ending in lower case, of two parts where that is one (.vol.gz)."""
     suffixes = [suffix.lower() for suffix in pathlib.Path(path).suffixes[-2:]]
     return "".join(suffixes) if suffixes[-1:] == [".gz"] else "".join(suffixes[-1:])
+
+
+def stem_and_ending(path):
+    """A file's name before what tells its format, and that as it is written there."""
+    name = pathlib.Path(path).name
+    length = len(name) - len(suffix_of(path))
+    return name[:length], name[length:]
 
 
 def read(path):
@@ -132,7 +136,7 @@ def read_nurbs(path, chord_error=1e-3):
     path = pathlib.Path(path)
     if suffix_of(path) not in CAD_FILES:
         raise FileError(f"{path}: CAD files end in {', '.join(CAD_FILES)}")
-    if not _cad_suffixes():
+    if not HAS_CAD:
         raise FileError(f"{path}: this build reads no CAD files; it was made without Open CASCADE")
     reader = configure(classes.vtkNURBSReader(), FileName=str(path), ChordError=chord_error)
     return _read(path, lambda: _updated(reader))
@@ -158,7 +162,7 @@ def write(data, path):
     suffix = suffix_of(path)
     _check_format(path, data)
     # The name of the unfinished file ends alike, because meshio goes by it.
-    unfinished = path.with_name(f".{path.name[: len(path.name) - len(suffix)]}.unfinished{suffix}")
+    unfinished = path.with_name(f".{stem_and_ending(path)[0]}.unfinished{suffix}")
     try:
         unfinished.touch()
         if suffix in WRITERS:
