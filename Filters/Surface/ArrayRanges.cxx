@@ -112,7 +112,7 @@ std::vector<Range> RangesOf(
 }
 
 template <typename Value>
-void FindRanges(const Value* values, vtkIdType tuples, Ranges& ranges)
+void FindRangesOfPart(const Value* values, vtkIdType tuples, Ranges& ranges)
 {
   const int components = static_cast<int>(ranges.All.size()) - 1;
   ranges.All = RangesOf(values, components, tuples, [](double) { return true; });
@@ -133,7 +133,7 @@ Ranges FindRanges(const Value* values, int components, vtkIdType tuples)
       for (std::int64_t part = begin; part < end; ++part)
       {
         const vtkIdType first = part * Grain;
-        FindRanges(values + first * components, std::min(Grain, tuples - first), parts[part]);
+        FindRangesOfPart(values + first * components, std::min(Grain, tuples - first), parts[part]);
       }
     });
   Ranges whole(components);
