@@ -29,6 +29,7 @@ namespace
 {
 
 constexpr vtkIdType Grain = 1 << 14; ///< tuples for one thread at a time
+constexpr int Lanes = 4;
 
 struct Range
 {
@@ -75,23 +76,38 @@ struct Ranges
   }
 };
 
-/** One component after the other, which keeps the ends in registers. */
+/** One component after the other, which keeps the ends in registers; several ends of each, since a
+ * comparison waits for the one before. */
 template <typename Value, typename Counts>
 std::vector<Range> RangesOf(
   const Value* values, int components, vtkIdType tuples, const Counts& counts)
 {
   std::vector<Range> ranges(components + 1);
   const auto add = [&](int place, const auto& valueOf) {
-    Range range;
-    for (vtkIdType tuple = 0; tuple < tuples; ++tuple)
-    {
+    Range lanes[Lanes];
+    const auto addTuple = [&](vtkIdType tuple, Range& range) {
       const double value = valueOf(values + tuple * components);
       if (counts(value))
       {
         range.Add(value);
       }
+    };
+    vtkIdType tuple = 0;
+    for (; tuple + Lanes <= tuples; tuple += Lanes)
+    {
+      for (int lane = 0; lane < Lanes; ++lane)
+      {
+        addTuple(tuple + lane, lanes[lane]);
+      }
     }
-    ranges[place] = range;
+    for (; tuple < tuples; ++tuple)
+    {
+      addTuple(tuple, lanes[0]);
+    }
+    for (const Range& lane : lanes)
+    {
+      ranges[place].Add(lane);
+    }
   };
   for (int component = 0; component < components; ++component)
   {
