@@ -241,7 +241,9 @@ void KeepRanges(vtkAlgorithm* filter)
   {
     for (vtkDataArray* array : ArraysOf(filter->GetOutputDataObject(port)))
     {
-      if (!shared.count(array) && array->HasStandardMemoryLayout())
+      // One that has ranges is of an earlier update, which was asked for another port.
+      const bool known = array->GetInformation()->Has(vtkAbstractArray::PER_COMPONENT());
+      if (!known && !shared.count(array) && array->HasStandardMemoryLayout())
       {
         KeepRanges(array);
       }

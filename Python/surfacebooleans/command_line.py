@@ -175,9 +175,11 @@ class _Batch:
         """Read, compute, write and report one file; errors are told and counted."""
         if self.folder:
             stem, ending = stem_and_ending(path)
-            written = "." + self.arguments.format.lstrip(".") if self.arguments.format else ending
-            written = written if self.arguments.format or is_writable(ending.lower()) else ".vtp"
-            self.arguments.output = str(pathlib.Path(self.output, stem + written))
+            if self.arguments.format:
+                ending = "." + self.arguments.format.lstrip(".")
+            elif not is_writable(ending.lower()):
+                ending = ".vtp"
+            self.arguments.output = str(pathlib.Path(self.output, stem + ending))
         report = {"command": self.arguments.command, "inputs": [], "outputs": [], "warnings": [], "error": None}
         self.reports.append(report)
         try:

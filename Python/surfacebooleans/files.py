@@ -229,10 +229,9 @@ def _read_by_vtk_or_meshio(path, suffix):
     data = _read_by_paraview(path)
     if data:
         return data
-    hint = "" if _meshio() else "; with meshio there are more (pip install meshio)"
     raise FileError(
         f"{path}: the format {suffix or 'without an ending'} is not known; these are: "
-        f"{' '.join(readable_suffixes())}{hint}"
+        f"{' '.join(readable_suffixes())}{_hint_at_meshio()}"
     )
 
 
@@ -281,9 +280,8 @@ def _check_format(path, data):
     suffix = suffix_of(path)
     if not is_writable(suffix):
         known = " ".join(sorted({*WRITERS, ".obj"}))
-        hint = "" if _meshio() else "; with meshio there are more (pip install meshio)"
         raise FileError(
-            f"{path}: the format {suffix or 'without an ending'} cannot be written; these can: {known}{hint}"
+            f"{path}: the format {suffix or 'without an ending'} cannot be written; these can: {known}{_hint_at_meshio()}"
         )
     if isinstance(data, vtkImageData) != (suffix == ".vti") and suffix != ".vtk":
         holds = "images only" if suffix == ".vti" else "no images"
@@ -371,6 +369,11 @@ def _meshio():
     except ImportError:
         return None
     return meshio
+
+
+def _hint_at_meshio():
+    """The end of a sentence on a format that is not known."""
+    return "" if _meshio() else "; with meshio there are more (pip install meshio)"
 
 
 def _suffixes_of_meshio():

@@ -192,13 +192,13 @@ def live_tool(operation="Difference", sources=None):
     moved = simple.Transform(registrationName=f"Drag {_name(tool)}", Input=tool)
     result = simple.SurfaceBoolean(registrationName=operation, Input=body, Tool=moved, Operation=operation)
     if _has_result(result):
-        _show_sources(result, [body, tool])
+        shown = _show_sources(result, [body, tool])
         _hide([body, tool])
         display = simple.Show(moved, _view())
         display.Representation = "Wireframe"  # drawn faster than what is seen through
         _paint(display, RED)
-        _number_colours(result, _view())
-        _lighten(result, _view())
+        _number_colours(shown.LookupTable, _view())
+        _lighten(shown, _view())
     simple.GetSettingsProxy("GeneralSettings").AutoApply = 1
     return _finished(moved)
 
@@ -425,7 +425,7 @@ def _name(source):
 
 
 def _show_sources(result, sources):
-    """Show a filter's surface with a colour for each source, and their names in the legend."""
+    """Show a filter's surface with a colour for each source, and their names in the legend. Returns how it is shown."""
     view = _view()
     display = simple.Show(simple.OutputPort(result, 0), view)
     display.Representation = "Surface"
@@ -434,6 +434,7 @@ def _show_sources(result, sources):
     colours = itertools.cycle([BLUE, RED, *MORE_COLOURS])
     _name_values(table, {k: (_name(source), next(colours)) for k, source in enumerate(sources)})
     _show_legend(display, table, view)
+    return display
 
 
 def _name_values(table, names):
@@ -443,9 +444,8 @@ def _name_values(table, names):
     table.IndexedColors = [part for _, colour in names.values() for part in colour]
 
 
-def _number_colours(result, view):
+def _number_colours(table, view):
     """Find the colours of the two sources by number, not by word, which for each cell takes VTK longer than the Boolean."""
-    table = simple.GetDisplayProperties(simple.OutputPort(result, 0), view).LookupTable
     first, second = table.IndexedColors[:3], table.IndexedColors[3:]
     table.InterpretValuesAsCategories, table.NumberOfTableValues = 0, 2
     table.RGBPoints = [-0.5, *first, 1.5, *second]
@@ -501,13 +501,13 @@ def _paint(display, colour):
     display.AmbientColor = display.DiffuseColor = colour
 
 
-def _lighten(closed, view):
+def _lighten(display, view):
     """Without a graphics card: draw only what one sees of a closed surface from outside, by one light, with no smoothed edges."""
     if "llvmpipe" in view.GetRenderWindow().ReportCapabilities():
         view.UseFXAA = view.UseLight = 0
         if not view.AdditionalLights:
             simple.AddLight(view=view).Coords = "Headlight"
-        simple.GetDisplayProperties(simple.OutputPort(closed, 0), view).BackfaceRepresentation = "Cull Backface"
+        display.BackfaceRepresentation = "Cull Backface"
 
 
 def _colour_about_zero(display, array, data, view):

@@ -72,13 +72,20 @@ def as_surface(mesh):
 
 def _surfaces_of_blocks(data):
     """The same blocks, with the same names, where those that are grids are their boundaries."""
-    surfaces, place = data.NewInstance(), data.NewIterator()
+    surfaces = data.NewInstance()
     surfaces.CopyStructure(data)
+    for place in _places_of_blocks(data):
+        surfaces.SetDataSet(place, as_surface(place.GetCurrentDataObject()))
+    return surfaces
+
+
+def _places_of_blocks(data):
+    """The iterator of VTK, at one block after the other."""
+    place = data.NewIterator()
     place.InitTraversal()
     while not place.IsDoneWithTraversal():
-        surfaces.SetDataSet(place, as_surface(place.GetCurrentDataObject()))
+        yield place
         place.GoToNextItem()
-    return surfaces
 
 
 def merged(mesh):
@@ -86,11 +93,9 @@ def merged(mesh):
     surfaces = as_surface(mesh)
     if not isinstance(surfaces, vtkDataObjectTree):
         return surfaces
-    joiner, place = vtkAppendPolyData(), surfaces.NewIterator()
-    place.InitTraversal()
-    while not place.IsDoneWithTraversal():
+    joiner = vtkAppendPolyData()
+    for place in _places_of_blocks(surfaces):
         joiner.AddInputData(place.GetCurrentDataObject())
-        place.GoToNextItem()
     joiner.Update()
     return joiner.GetOutput()
 

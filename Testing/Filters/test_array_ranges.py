@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkAbstractArray, vtkDataArray
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPointSet
+from vtkmodules.vtkCommonDataModel import vtkPointSet
 
 import meshes
 from booleans import DIFFERENCE, boolean, polydata
@@ -14,13 +14,7 @@ from every_filter import FILTERS, named, outputs
 
 
 def arrays_of(data):
-    """The arrays on points and cells, and the points' own, of a data set or all blocks of one."""
-    if isinstance(data, vtkCompositeDataSet):
-        blocks = data.NewIterator()
-        while not blocks.IsDoneWithTraversal():
-            yield from arrays_of(blocks.GetCurrentDataObject())
-            blocks.GoToNextItem()
-        return
+    """The arrays on points and cells, and the points' own."""
     for attributes in (data.GetPointData(), data.GetCellData()):
         yield from filter(None, map(attributes.GetArray, range(attributes.GetNumberOfArrays())))
     if isinstance(data, vtkPointSet) and data.GetPoints():
